@@ -240,6 +240,9 @@ abut_status check_options(const abut_solver_options& options) noexcept {
                   "fill the options with abut_solver_options_init");
   }
   if (options.most_rounds == 0) return refuse(ABUT_OUT_OF_RANGE, "options.most_rounds", 0, "it must be at least 1");
+  if (options.solver > ABUT_SOLVER_SWEEPS)
+    return refuse(ABUT_UNKNOWN_VALUE, "options.solver", options.solver, "it must be a value of abut_solver");
+  if (options.reserved != 0) return refuse(ABUT_INVALID_ARGUMENT, "options.reserved", options.reserved, "it must be 0");
   for (const auto& [name, value] :
        {std::pair("options.tolerance", options.tolerance), std::pair("options.speed", options.speed)}) {
     if (!std::isfinite(value)) return refuse(ABUT_NOT_FINITE, name, value, "it must be finite");

@@ -15,6 +15,10 @@ struct PreparedProblem {
   bool is_warm = false;
 };
 
+[[nodiscard]] inline response::Method method_of(abut_solver solver) noexcept {
+  return solver == ABUT_SOLVER_SWEEPS ? response::Method::sweeps : response::Method::newton;
+}
+
 /// Reads a problem; writes this thread's message and answers the status where there is something to object to.
 [[nodiscard]] abut_status prepare(const abut_contact_problem& given, PreparedProblem& out);
 [[nodiscard]] abut_status check_options(const abut_solver_options& options) noexcept;

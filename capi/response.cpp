@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// Bodies of response.h: checks arguments, keeps exceptions in, and hands on to abut.response.
+// Bodies and steps of response.h: checks arguments, keeps exceptions in, and hands on to abut.response.
 #include <abut/response.h>
 
 #include "core/check.hpp"
 #include "extension_arguments.hpp"
 #include "response_arguments.hpp"
+#include "response_handle.hpp"
 #include "response_source.hpp"
 
 #include <algorithm>
@@ -21,19 +22,13 @@
 
 import abut.response;
 
-struct abut_response {
-  abut::capi::ResponseAttachment attachment;
-  abut::capi::UniversePointer universe;
-  abut::response::Simulation simulation;
-  bool is_stepping = false;
-};
-
 namespace {
 
 using abut::capi::check_density;
 using abut::capi::check_number;
 using abut::capi::check_options;
 using abut::capi::check_vector;
+using abut::capi::guarded;
 using abut::capi::largest_number;
 using abut::capi::refuse;
 using abut::capi::refuse_null;
@@ -45,28 +40,13 @@ constexpr abut_response_options usual_options{.struct_size = sizeof(abut_respons
                                               .tolerance = 1e-9,
                                               .slop = 1e-5,
                                               .flags = 0,
+                                              .solver = ABUT_SOLVER_NEWTON,
+                                              .threads = 1,
                                               .reserved = 0};
-constexpr abut_body_options usual_body{
-    .struct_size = sizeof(abut_body_options), .reserved = 0, .density = 1000, .mass = {0, {0, 0, 0}, {}}};
-
-template <class Action>
-[[nodiscard]] abut_status guarded(const Action& action) noexcept {
-  try {
-    return action();
-  } catch (const std::bad_alloc&) {
-    return refuse(ABUT_OUT_OF_MEMORY, "there is not enough memory for the bodies of a response");
-  } catch (...) {
-    return refuse(ABUT_INTERNAL, "the bodies of a response could not be moved");
-  }
-}
-
-// As guarded, but not from a callback of a step that is running.
-template <class Action>
-[[nodiscard]] abut_status guarded(abut_response* response, const Action& action) noexcept {
-  if (response == nullptr) return refuse_null("response");
-  if (response->is_stepping) return refuse(ABUT_BUSY, "response is in a step; a callback of it must not change it");
-  return guarded([&] { return action(*response); });
-}
+constexpr abut_body_options usual_body{.struct_size = sizeof(abut_body_options),
+                                       .integrator = ABUT_INTEGRATOR_IMPLICIT,
+                                       .density = 1000,
+                                       .mass = {0, {0, 0, 0}, {}}};
 
 [[nodiscard]] abut_status refuse_no_body(abut_part_id part) noexcept {
   return refuse(ABUT_STALE_ID, "part.slot", part.slot, "the part is no body of this response");
@@ -104,6 +84,16 @@ template <class Action>
   return [callback, context](const abut_contact& contact, abut_contact_material& material, bool& counts) {
     counts = callback == nullptr || callback(context, &contact, &material) != 0;
     return counts ? abut::capi::check_material(material) : abut_status{ABUT_OK};
+  };
+}
+
+[[nodiscard]] abut::response::Simulation::Field field_of(abut_force_callback callback, void* context) {
+  if (callback == nullptr) return {};
+  return [callback, context](abut_part_id part, const abut_pose& pose, const abut_velocity& velocity, double time,
+                             abut_vec3& force, abut_vec3& torque) {
+    callback(context, part, &pose, &velocity, time, &force, &torque);
+    const abut_status status = check_vector(force, "force of the callback");
+    return status != ABUT_OK ? status : check_vector(torque, "torque of the callback");
   };
 }
 
@@ -199,7 +189,8 @@ abut_status abut_response_add_bodies(abut_response* response, const abut_part_id
       if (status != ABUT_OK) return status;
     }
     its.simulation.reserve(its.simulation.body_count() + count);
-    for (std::size_t i = 0; i < count; ++i) its.simulation.add_body(all[i], masses[i]);
+    const abut_integrator integrator = options == nullptr ? usual_body.integrator : options->integrator;
+    for (std::size_t i = 0; i < count; ++i) its.simulation.add_body(all[i], masses[i], integrator);
     return ABUT_OK;
   });
 }
@@ -251,6 +242,13 @@ abut_status abut_response_set_contact_callback(abut_response* response, abut_con
   });
 }
 
+abut_status abut_response_set_force_callback(abut_response* response, abut_force_callback callback, void* context) {
+  return guarded(response, [&](abut_response& its) -> abut_status {
+    its.simulation.set_field(field_of(callback, context));
+    return ABUT_OK;
+  });
+}
+
 abut_status abut_response_step(abut_response* response, double dt) {
   return guarded(response, [&](abut_response& its) -> abut_status {
     const abut_status checked = check_number(dt, "dt", std::numeric_limits<double>::min(), largest_number,
@@ -258,6 +256,9 @@ abut_status abut_response_step(abut_response* response, double dt) {
     if (checked != ABUT_OK) return checked;
     const Stepping stepping(its);
     const abut_status status = its.simulation.step(dt);
+    if (status == ABUT_OK && its.listener != nullptr) {
+      for (const abut_response_object& object : its.simulation.objects()) its.listener(its.listener_context, &object);
+    }
     if (status != ABUT_NOT_CONVERGED) return status;
     return refuse(status, "no finite velocities were found; masses, forces and dt are too far apart in size");
   });

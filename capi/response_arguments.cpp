@@ -100,12 +100,47 @@ abut_status check_material(const abut_contact_material& material) noexcept {
   }
   for (const auto& [name, value] :
        {std::pair("compliance", material.compliance), std::pair("damping", material.damping),
-        std::pair("restitution_threshold", material.restitution_threshold)}) {
+        std::pair("restitution_threshold", material.restitution_threshold),
+        std::pair("adhesive_force", material.adhesive_force)}) {
     const abut_status status =
         check_number(value, name, 0, largest_number, "of a contact it must lie between 0 and 1e30");
     if (status != ABUT_OK) return status;
   }
   return ABUT_OK;
+}
+
+abut_status check_law(const abut_contact_law& law) noexcept {
+  struct Number {
+    const char* name;
+    double value, least, most;
+  };
+  constexpr double largest_friction = 1e6;
+  for (const Number& its : {Number{"law.friction_primary", law.friction_primary, 0, largest_friction},
+                            Number{"law.friction_secondary", law.friction_secondary, 0, largest_friction},
+                            Number{"law.compliance", law.compliance, 0, largest_number},
+                            Number{"law.offset", law.offset, -largest_number, largest_number},
+                            Number{"law.pull", law.pull, 0, largest_number}}) {
+    const abut_status status =
+        check_number(its.value, its.name, its.least, its.most, "the callback of a kind left it out of range");
+    if (status != ABUT_OK) return status;
+  }
+  return check_vector(law.surface_velocity, "law.surface_velocity");
+}
+
+abut_status check_options(const abut_link_options& options) noexcept {
+  if (!has_known_size(options)) {
+    return refuse(ABUT_WRONG_STRUCT_SIZE, "options.struct_size", options.struct_size,
+                  "fill the options with abut_link_options_init");
+  }
+  if (options.reserved != 0) return refuse(ABUT_INVALID_ARGUMENT, "options.reserved", options.reserved, "it must be 0");
+  abut_status status = check_vector(options.point_a, "options.point_a");
+  if (status == ABUT_OK) status = check_vector(options.point_b, "options.point_b");
+  for (const auto& [name, value] :
+       {std::pair("options.stiffness", options.stiffness), std::pair("options.damping", options.damping),
+        std::pair("options.most_force", options.most_force), std::pair("options.break_force", options.break_force)}) {
+    if (status == ABUT_OK) status = check_number(value, name, 0, largest_number, "it must lie between 0 and 1e30");
+  }
+  return status;
 }
 
 abut_status check_options(const abut_response_options& options) noexcept {
@@ -118,6 +153,12 @@ abut_status check_options(const abut_response_options& options) noexcept {
     return refuse(ABUT_UNKNOWN_VALUE, "options.flags", options.flags, "it must be bits of abut_response_flags");
   if (options.flags != 0 && abut_has_feature("motion") == 0)
     return refuse(ABUT_UNSUPPORTED, "options.flags", options.flags, "impacts need a build with the feature motion");
+  if (options.solver > ABUT_SOLVER_SWEEPS)
+    return refuse(ABUT_UNKNOWN_VALUE, "options.solver", options.solver, "it must be a value of abut_solver");
+  if (options.threads == 0 || options.threads > most_threads)
+    return refuse(ABUT_OUT_OF_RANGE, "options.threads", options.threads, "it must lie between 1 and 256");
+  if (options.threads > 1 && abut_has_feature("threads") == 0)
+    return refuse(ABUT_UNSUPPORTED, "options.threads", options.threads, "more than 1 needs the feature threads");
   if (options.reserved != 0) return refuse(ABUT_INVALID_ARGUMENT, "options.reserved", options.reserved, "it must be 0");
   abut_status status = check_vector(options.gravity, "options.gravity");
   for (const auto& [name, value] :
@@ -132,7 +173,10 @@ abut_status check_options(const abut_body_options& options) noexcept {
     return refuse(ABUT_WRONG_STRUCT_SIZE, "options.struct_size", options.struct_size,
                   "fill the options with abut_body_options_init");
   }
-  if (options.reserved != 0) return refuse(ABUT_INVALID_ARGUMENT, "options.reserved", options.reserved, "it must be 0");
+  if (options.integrator > ABUT_INTEGRATOR_IMPLICIT) {
+    return refuse(ABUT_UNKNOWN_VALUE, "options.integrator", options.integrator,
+                  "it must be a value of abut_integrator");
+  }
   return options.mass.mass == 0 ? check_density(options.density, "options.density")
                                 : check_mass(options.mass, "options.mass");
 }

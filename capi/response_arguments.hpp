@@ -7,12 +7,14 @@
 #include <abut/response.h>
 
 #include <cstddef>
+#include <cstdint>
 #include <span>
 
 namespace abut::capi {
 
 // Products of a few such numbers stay finite.
 inline constexpr double largest_number = 1e30, least_mass = 1e-30;
+inline constexpr std::uint32_t most_threads = 256;
 
 /// Finite, and from `least` to `most`; else "<argument> is <value>; <expectation>".
 [[nodiscard]] abut_status check_number(double value, const char* argument, double least, double most,
@@ -27,6 +29,10 @@ inline constexpr double largest_number = 1e30, least_mass = 1e-30;
 /// Numbers that contacts take from materials, and from what the caller makes of these.
 [[nodiscard]] abut_status check_material(const abut_contact_material& material) noexcept;
 
+/// What the callback of a kind has made of a law.
+[[nodiscard]] abut_status check_law(const abut_contact_law& law) noexcept;
+
+[[nodiscard]] abut_status check_options(const abut_link_options& options) noexcept;
 [[nodiscard]] abut_status check_options(const abut_response_options& options) noexcept;
 [[nodiscard]] abut_status check_options(const abut_body_options& options) noexcept;
 

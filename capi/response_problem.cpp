@@ -24,8 +24,12 @@ using abut::capi::PreparedProblem;
 using abut::capi::refuse;
 using abut::capi::refuse_null;
 
-constexpr abut_solver_options usual_options{
-    .struct_size = sizeof(abut_solver_options), .most_rounds = 200, .tolerance = 1e-9, .speed = 0};
+constexpr abut_solver_options usual_options{.struct_size = sizeof(abut_solver_options),
+                                            .most_rounds = 200,
+                                            .tolerance = 1e-9,
+                                            .speed = 0,
+                                            .solver = ABUT_SOLVER_NEWTON,
+                                            .reserved = 0};
 
 [[nodiscard]] abut_status solve(const abut_contact_problem& given, const abut_solver_options& options,
                                 std::span<double> velocities, std::span<double> impulses, abut_residuals& out) {
@@ -35,7 +39,8 @@ constexpr abut_solver_options usual_options{
                                             {.tolerance = options.tolerance,
                                              .speed = options.speed,
                                              .most_rounds = options.most_rounds,
-                                             .is_warm = prepared.is_warm},
+                                             .is_warm = prepared.is_warm,
+                                             .method = abut::capi::method_of(options.solver)},
                                             prepared.solution);
   if (!report.is_finite) {
     return refuse(ABUT_NOT_CONVERGED,

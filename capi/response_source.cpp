@@ -46,11 +46,12 @@ abut_status ResponseSource::contacts(std::vector<abut_contact>& out) const {
   return ABUT_OK;
 }
 
-abut_status ResponseSource::part_of(abut_geometry_id geometry, abut_part_id& out) const {
+abut_status ResponseSource::facts(abut_geometry_id geometry, response::GeometryFacts& out) const {
   abut_geometry_info info;
   abut_geometry_info_init(&info, sizeof info);
   const abut_status status = abut_geometry_describe(universe_.get(), geometry, &info);
-  if (status == ABUT_OK) out = info.part;
+  if (status == ABUT_OK)
+    out = {.geometry = geometry, .part = info.part, .label = info.label, .tag = info.tag, .material = info.material};
   return status;
 }
 

@@ -33,7 +33,7 @@ class ResponseSource final : public response::Source {
 
   [[nodiscard]] abut_status detect(double dt) override;
   [[nodiscard]] abut_status contacts(std::vector<abut_contact>& out) const override;
-  [[nodiscard]] abut_status part_of(abut_geometry_id geometry, abut_part_id& out) const override;
+  [[nodiscard]] abut_status facts(abut_geometry_id geometry, response::GeometryFacts& out) const override;
   [[nodiscard]] abut_status material(std::uint32_t a, std::uint32_t b, abut_contact_material& out) const override;
   [[nodiscard]] bool has(abut_part_id part) const override;
   [[nodiscard]] abut_status is_awake(abut_part_id part, bool& out) const override;

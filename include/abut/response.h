@@ -59,12 +59,22 @@ typedef struct abut_contact_problem {
 /** Fills in an empty problem. */
 ABUT_API void abut_contact_problem_init(abut_contact_problem *problem, uint32_t struct_size);
 
-/** When the solver ends. */
+/** How a contact problem is solved. */
+typedef uint32_t abut_solver;
+enum abut_solver_value ABUT_ENUM(uint32_t) {
+  ABUT_SOLVER_NEWTON = 0, /**< multipliers around Newton's method; converges for any ratio of masses */
+  ABUT_SOLVER_SWEEPS = 1  /**< projected Gauss-Seidel: each round takes one contact after the other. Fast for many light
+                               contacts of like masses, and slow to converge */
+};
+
+/** How the solver works, and when it ends. */
 typedef struct abut_solver_options {
   uint32_t struct_size;
   uint32_t most_rounds; /**< default 200, at least 1 */
   double tolerance;     /**< largest residual, as a part of `speed`; default 1e-9, at least 0 */
   double speed;         /**< velocity; 0, the default, for the largest of bodies and contacts in the free motion */
+  abut_solver solver;   /**< default ABUT_SOLVER_NEWTON */
+  uint32_t reserved;    /**< zero */
 } abut_solver_options;
 
 /** Fills in the defaults. */
@@ -76,7 +86,7 @@ typedef struct abut_residuals {
   double motion;         /**< velocity: by how much the worst body misses its equation of motion */
   double dissipation;    /**< energy: impulse times shifted velocity, which is 0 for each contact, summed in size */
   double speed;          /**< velocity that the tolerance is a part of */
-  uint32_t rounds;       /**< updates of impulses */
+  uint32_t rounds;       /**< updates of impulses, or sweeps */
   uint32_t newton_steps; /**< factorisations of the matrix of the convex problem */
   uint32_t is_converged; /**< 1 where contact and motion are within the tolerance and what rounding leaves; 0 where the
                               rounds ended before */
@@ -136,6 +146,9 @@ typedef struct abut_response_options {
   double slop;               /**< depth that rigid contacts keep; default 1e-5, at least 0. Deeper ones are moved
                                   apart */
   abut_response_flags flags; /**< default 0 */
+  abut_solver solver;        /**< default ABUT_SOLVER_NEWTON */
+  uint32_t threads;          /**< that share the islands of a step; the same bits for any number. Default 1, at most
+                                  256; more than 1 is ABUT_UNSUPPORTED in a build without the feature threads */
   uint32_t reserved;         /**< zero */
 } abut_response_options;
 
@@ -157,10 +170,21 @@ ABUT_API void abut_response_destroy(abut_response *response);
 /** Options from the next step on. [exclusive] */
 ABUT_API abut_status abut_response_set_options(abut_response *response, const abut_response_options *options);
 
-/** What a body weighs. */
+/** How a body goes from one step to the next. Of bodies that touch or are linked, the greatest counts for all. */
+typedef uint32_t abut_integrator;
+enum abut_integrator_value ABUT_ENUM(uint32_t) {
+  ABUT_INTEGRATOR_STATIC = 0,   /**< held where it is; joins nobody */
+  ABUT_INTEGRATOR_EULER = 1,    /**< forces and springs of contacts at the start of the step, and the new velocity all
+                                     along (symplectic). Springs diverge where dt is above 2 sqrt(m / k) */
+  ABUT_INTEGRATOR_RK4 = 2,      /**< Runge-Kutta of order 4 for the force callback; springs as above */
+  ABUT_INTEGRATOR_MIDPOINT = 3, /**< the force callback and springs at the middle of the step: order 2, no damping */
+  ABUT_INTEGRATOR_IMPLICIT = 4  /**< the force callback at the start, springs at the end: order 1, any stiffness */
+};
+
+/** What a body weighs, and how it moves. */
 typedef struct abut_body_options {
   uint32_t struct_size;
-  uint32_t reserved;         /**< zero */
+  abut_integrator integrator; /**< default ABUT_INTEGRATOR_IMPLICIT */
   double density;            /**< of all geometries of the part but sensors; default 1000. Not read where a mass is
                                   given */
   abut_mass_properties mass; /**< in the frame of the part; its mass is 0 by default, which asks for the density */
@@ -200,6 +224,24 @@ ABUT_API abut_status abut_response_apply_force(abut_response *response, abut_par
 ABUT_API abut_status abut_response_apply_torque(abut_response *response, abut_part_id part, const abut_vec3 *torque);
 
 /**
+ * A field of forces: adds to the force through the centre of mass, and to the torque. The position of `pose` is the
+ * centre of mass, its orientation that of the part, and `velocity` that of the centre of mass. `time` counts from the creation of the
+ * response. It runs on the thread that steps, up to four times a body and step, as integrators ask. It may make [const]
+ * calls; it must not throw.
+ */
+typedef void (*abut_force_callback)(void *context, abut_part_id part, const abut_pose *pose,
+                                    const abut_velocity *velocity, double time, abut_vec3 *force, abut_vec3 *torque);
+
+/** Sets the field of forces; null for none. `context` is kept and handed to it. A number that is not finite makes the
+ * step answer ABUT_NOT_FINITE. [exclusive] */
+ABUT_API abut_status abut_response_set_force_callback(abut_response *response, abut_force_callback callback,
+                                                      void *context);
+
+/* ------------------------------------------------------------------------------------------------
+ * What contacts do: kinds, rules and links
+ * --------------------------------------------------------------------------------------------- */
+
+/**
  * Edits a contact before a step responds to it. `material` holds what the materials of its sides say, and afterwards
  * what counts. 0 leaves the contact out. It runs on the thread that steps, in the order of contacts, once for each of
  * them, and again after each impact. It may make [const] calls; it must not throw.
@@ -210,6 +252,149 @@ typedef uint32_t (*abut_contact_callback)(void *context, const abut_contact *con
 /** Sets what edits contacts; null for nothing. `context` is kept and handed to it. [exclusive] */
 ABUT_API abut_status abut_response_set_contact_callback(abut_response *response, abut_contact_callback callback,
                                                         void *context);
+
+/** A contact between two geometries, as a kind of your own makes it. Velocities and impulses of b less a. */
+typedef struct abut_contact_law {
+  double friction_primary;    /**< along the tangent of the contact; 0 to 1e6 */
+  double friction_secondary;  /**< at right angles to it */
+  double compliance;          /**< velocity per impulse, at least 0 */
+  double offset;              /**< velocity: impulse_n >= 0, u_n + compliance * impulse_n + offset >= 0, one is 0 */
+  double pull;                /**< impulse that draws the two together in this step, at least 0 */
+  abut_vec3 surface_velocity; /**< of b less a, beyond that of the bodies */
+} abut_contact_law;
+
+/**
+ * The law of a contact of your own kind, for one step. `law` holds what the kind "friction" would do. A force f(gap),
+ * such as that of Hertz, has the slope k = -df/dgap. By implicit Euler, linear within the step, it becomes
+ *   compliance = 1 / (dt * dt * k), offset = -f / (dt * k).
+ * `velocity` is that of b less a at the contact, before the step. 0 leaves the contact without an impulse. It runs on the thread that steps, in the order of contacts, and again after
+ * each impact. It may make [const] calls; it must not throw.
+ */
+typedef uint32_t (*abut_contact_law_callback)(void *context, const abut_contact *contact, const abut_vec3 *velocity,
+                                              double dt, abut_contact_law *law);
+
+/**
+ * Adds a kind of your own, under a name that is not taken. These are there from the start:
+ *  - friction: the default. Signorini and Coulomb, with springs where there is a compliance.
+ *  - penalty: a spring and a damper along the normal, without friction.
+ *  - augmented: friction whose normal impulse follows over steps, with the compliance epsilon times the mobility.
+ *  - stick: bonds the two where they touch, until a point bears more than `break`, or abut_response_release.
+ *  - slide: friction whose sticking points remember how far they crept, and go back.
+ *  - none: no impulse; contacts are told all the same.
+ * ABUT_INVALID_ARGUMENT for a name that is taken, empty, or longer than 63 bytes. [exclusive]
+ */
+ABUT_API abut_status abut_response_add_kind(abut_response *response, const char *name, abut_contact_law_callback law,
+                                            void *context);
+
+/** Names of all kinds, yours last, by count-then-fill; they stay while the response does. [const] */
+ABUT_API abut_status abut_response_kinds(const abut_response *response, const char **names, size_t capacity,
+                                         size_t *count);
+
+/** What a side of a rule speaks of. */
+typedef uint32_t abut_response_side_kind;
+enum abut_response_side_kind_value ABUT_ENUM(uint32_t) {
+  ABUT_RESPONSE_SIDE_ANY = 0,
+  ABUT_RESPONSE_SIDE_GEOMETRY = 1,
+  ABUT_RESPONSE_SIDE_PART = 2,    /**< all geometries of a part */
+  ABUT_RESPONSE_SIDE_LABEL = 3,   /**< all geometries with a label */
+  ABUT_RESPONSE_SIDE_TAG = 4,     /**< all geometries with a tag */
+  ABUT_RESPONSE_SIDE_MATERIAL = 5 /**< contacts of that material, which children of composites may have */
+};
+
+typedef struct abut_response_side {
+  abut_response_side_kind kind;
+  uint32_t slot;       /**< of the geometry or the part; the label, tag or material; 0 for any */
+  uint32_t generation; /**< of the geometry or the part; else 0 */
+} abut_response_side;
+
+/**
+ * Appends a rule: contacts of the two sides, in either order, have that kind and these parameters. The first rule that
+ * fits counts; where none does, contacts have the kind "friction". Numbers that are not given are those of the
+ * materials.
+ * @param a           a side; null for any
+ * @param b           the other side
+ * @param kind        name of a kind
+ * @param parameters  such as "mu=0.5&k=1e4"; null for none. `$name$` stands for a variable. There are:
+ *                    mu (both frictions), mu1, mu2, static (static_scale), k (N/m; the compliance is 1/k), compliance,
+ *                    d (damping), e (restitution), threshold (restitution_threshold), adhesion (adhesive_force), all as
+ *                    in abut_contact_material; break (N, 0: never; of stick), epsilon (1e-8 to 1, default 0.01; of
+ *                    augmented)
+ * @param out         receives the number of the rule, from 0; may be null
+ * ABUT_INVALID_ARGUMENT for an unknown kind, parameter or variable, which the message names. ABUT_OUT_OF_RANGE for a
+ * number. [exclusive]
+ */
+ABUT_API abut_status abut_response_add_rule(abut_response *response, const abut_response_side *a,
+                                            const abut_response_side *b, const char *kind, const char *parameters,
+                                            uint32_t *out);
+
+/** Gives a rule other parameters, from the next step on. ABUT_INDEX_OUT_OF_RANGE beyond the last rule. [exclusive] */
+ABUT_API abut_status abut_response_set_rule_parameters(abut_response *response, uint32_t rule, const char *parameters);
+
+/** Takes all rules away. Those of single geometries and variables stay. [exclusive] */
+ABUT_API abut_status abut_response_clear_rules(abut_response *response);
+
+/** What `$name$` stands for in parameters that are set from now on. [exclusive] */
+ABUT_API abut_status abut_response_set_variable(abut_response *response, const char *name, const char *value);
+
+/**
+ * What all contacts of a geometry do, before any rule. Of two geometries that both have one, that of the lower slot
+ * counts. A null kind takes it away. ABUT_STALE_ID for a geometry that is none. [exclusive]
+ */
+ABUT_API abut_status abut_response_set_geometry_kind(abut_response *response, abut_geometry_id geometry,
+                                                     const char *kind, const char *parameters);
+
+/**
+ * Which rule counts for two geometries, its kind and all numbers, in words. Materials are those of the geometries.
+ * @param text      capacity bytes, always terminated when capacity > 0; null with capacity 0 asks for the size
+ * @param needed    bytes of the whole text with its terminator
+ * [const]
+ */
+ABUT_API abut_status abut_response_rule_between(const abut_response *response, abut_geometry_id a, abut_geometry_id b,
+                                                char *text, size_t capacity, size_t *needed);
+
+/** A spring, a bond or a mouse between points of two parts, or of a part and the world. */
+typedef struct abut_link_options {
+  uint32_t struct_size;
+  uint32_t reserved;  /**< zero */
+  abut_part_id a;     /**< null id, the default, for the world */
+  abut_part_id b;
+  abut_vec3 point_a;  /**< in the world, now: the points that are drawn together */
+  abut_vec3 point_b;
+  double stiffness;   /**< N/m; 0, the default, for rigid */
+  double damping;     /**< N s/m; default 0; of springs */
+  double most_force;  /**< N; 0, the default, for any. A force that would be larger has that size */
+  double break_force; /**< N; 0, the default, for never. A link that bears more ends after the step */
+} abut_link_options;
+
+/** Fills in the defaults. */
+ABUT_API void abut_link_options_init(abut_link_options *options, uint32_t struct_size);
+
+/**
+ * Draws two points together from the next step on, along all three axes. Springs are implicit, as contacts are. Wakes
+ * both parts; a link ends with a part. Linked bodies are solved as one island.
+ * ABUT_INVALID_ARGUMENT where neither part is a body, or both are one.
+ * @param out  receives the number of the link, from 1, never used again
+ * [exclusive]
+ */
+ABUT_API abut_status abut_response_add_link(abut_response *response, const abut_link_options *options, uint64_t *out);
+
+/** Moves the point of a link that is held in the world, such as where a mouse points. ABUT_STALE_ID where the link has
+ * ended, ABUT_INVALID_ARGUMENT where point a is one of a part. [exclusive] */
+ABUT_API abut_status abut_response_move_link(abut_response *response, uint64_t link, const abut_vec3 *point_a);
+
+/** Force on b in the last step. ABUT_STALE_ID where the link has ended. [const] */
+ABUT_API abut_status abut_response_link_force(const abut_response *response, uint64_t link, abut_vec3 *out);
+
+/** Ends a link. ABUT_STALE_ID where it has ended. [exclusive] */
+ABUT_API abut_status abut_response_remove_link(abut_response *response, uint64_t link);
+
+/** Ends the bonds of two geometries. They bond again once they have been apart. ABUT_STALE_ID where they have none.
+ * [exclusive] */
+ABUT_API abut_status abut_response_release(abut_response *response, abut_geometry_id a, abut_geometry_id b);
+
+/* ------------------------------------------------------------------------------------------------
+ * Steps, and what they did
+ * --------------------------------------------------------------------------------------------- */
 
 /**
  * Moves all bodies by a time. The order:
@@ -239,14 +424,15 @@ typedef uint32_t abut_contact_state;
 enum abut_contact_state_value ABUT_ENUM(uint32_t) {
   ABUT_CONTACT_STATE_OPEN = 0,     /**< no impulse */
   ABUT_CONTACT_STATE_STICKING = 1, /**< friction is less than it may be */
-  ABUT_CONTACT_STATE_SLIDING = 2   /**< friction is as large as it may be, or there is none */
+  ABUT_CONTACT_STATE_SLIDING = 2,  /**< friction is as large as it may be, or there is none */
+  ABUT_CONTACT_STATE_BONDED = 3    /**< held by a bond of the kind stick */
 };
 
 /** A contact of the last step. World frame. */
 typedef struct abut_response_contact {
   abut_geometry_id geometry_a;
   abut_geometry_id geometry_b;
-  uint64_t id;              /**< of the contact of the universe */
+  uint64_t id;              /**< of the contact of the universe; of a bond, that of the contact that made it */
   abut_vec3 point;          /**< between the two surfaces, at the start of the step */
   abut_vec3 normal;         /**< unit, from a to b */
   abut_vec3 impulse;        /**< on b; a received the opposite */
@@ -255,12 +441,48 @@ typedef struct abut_response_contact {
   double normal_velocity;   /**< of b less a at the end of the step */
   abut_contact_state state;
   uint32_t island;          /**< index into abut_response_islands */
+  uint32_t kind;            /**< index into abut_response_kinds */
+  uint32_t reserved;        /**< zero */
 } abut_response_contact;
 
 /** Contacts of the last step that have an awake body, in the order of the universe. Borrowed until the next
  * [exclusive] call. [const] */
 ABUT_API abut_status abut_response_contacts(const abut_response *response, const abut_response_contact **contacts,
                                             size_t *count);
+
+/** What became of an object in the last step. */
+typedef uint32_t abut_response_event;
+enum abut_response_event_value ABUT_ENUM(uint32_t) {
+  ABUT_RESPONSE_EVENT_BEGIN = 0,
+  ABUT_RESPONSE_EVENT_PERSIST = 1,
+  ABUT_RESPONSE_EVENT_END = 2 /**< is told once, without contacts */
+};
+
+/** Two geometries that have contacts or bonds. */
+typedef struct abut_response_object {
+  abut_geometry_id geometry_a;
+  abut_geometry_id geometry_b;
+  uint32_t kind;          /**< index into abut_response_kinds, of the first contact */
+  abut_response_event event;
+  uint32_t contact_count; /**< of abut_response_contacts, bonds too; 0 where both bodies are asleep */
+  uint32_t bond_count;
+  uint32_t age;           /**< steps before the last one that had it */
+  uint32_t reserved;      /**< zero */
+  abut_vec3 impulse;      /**< on b, of all contacts of the step */
+  abut_vec3 force;        /**< impulse over dt */
+} abut_response_object;
+
+/** Objects after the last step, by geometries, and those that ended in it. Borrowed until the next [exclusive] call.
+ * [const] */
+ABUT_API abut_status abut_response_objects(const abut_response *response, const abut_response_object **objects,
+                                           size_t *count);
+
+/** Is told of each object after a step that succeeded, in their order. It may make [const] calls; it must not throw. */
+typedef void (*abut_response_listener)(void *context, const abut_response_object *object);
+
+/** Sets what listens; null for nothing. `context` is kept and handed to it. [exclusive] */
+ABUT_API abut_status abut_response_set_listener(abut_response *response, abut_response_listener listener,
+                                                void *context);
 
 /** Bodies that touch each other, and how well they were solved. */
 typedef struct abut_response_island {

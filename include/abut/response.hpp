@@ -12,6 +12,7 @@
 #include <exception>
 #include <functional>
 #include <memory>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -23,6 +24,9 @@ using ResponseContact = abut_response_contact;
 using ContactState = abut_contact_state_value;
 using ResponseIsland = abut_response_island;
 using Energy = abut_energy;
+using ResponseObject = abut_response_object;
+using ResponseSide = abut_response_side;
+using ContactLaw = abut_contact_law;
 
 // Two bodies that touch, or a body and what no impulse moves. The fields are those of abut_contact_problem.
 struct ProblemContact {
@@ -47,6 +51,7 @@ struct SolverOptions : Defaulted<SolverOptions, abut_solver_options, abut_solver
   [[nodiscard]] SolverOptions with_most_rounds(std::uint32_t value) const { return with(&C::most_rounds, value); }
   [[nodiscard]] SolverOptions with_tolerance(double value) const { return with(&C::tolerance, value); }
   [[nodiscard]] SolverOptions with_speed(double value) const { return with(&C::speed, value); }
+  [[nodiscard]] SolverOptions with_solver(abut_solver value) const { return with(&C::solver, value); }
 };
 
 // Bodies and contacts at one moment, collected one by one.
@@ -134,12 +139,27 @@ struct ResponseOptions : Defaulted<ResponseOptions, abut_response_options, abut_
   [[nodiscard]] ResponseOptions with_tolerance(double value) const { return with(&C::tolerance, value); }
   [[nodiscard]] ResponseOptions with_slop(double value) const { return with(&C::slop, value); }
   [[nodiscard]] ResponseOptions with_flags(abut_response_flags value) const { return with(&C::flags, value); }
+  [[nodiscard]] ResponseOptions with_solver(abut_solver value) const { return with(&C::solver, value); }
+  [[nodiscard]] ResponseOptions with_threads(std::uint32_t value) const { return with(&C::threads, value); }
 };
 
 struct BodyOptions : Defaulted<BodyOptions, abut_body_options, abut_body_options_init> {
   using C = abut_body_options;
+  [[nodiscard]] BodyOptions with_integrator(abut_integrator value) const { return with(&C::integrator, value); }
   [[nodiscard]] BodyOptions with_density(double value) const { return with(&C::density, value); }
   [[nodiscard]] BodyOptions with_mass(const MassProperties& value) const { return with(&C::mass, value); }
+};
+
+struct LinkOptions : Defaulted<LinkOptions, abut_link_options, abut_link_options_init> {
+  using C = abut_link_options;
+  [[nodiscard]] LinkOptions with_a(PartId value) const { return with(&C::a, value); }
+  [[nodiscard]] LinkOptions with_b(PartId value) const { return with(&C::b, value); }
+  [[nodiscard]] LinkOptions with_point_a(const Vec3& value) const { return with(&C::point_a, value); }
+  [[nodiscard]] LinkOptions with_point_b(const Vec3& value) const { return with(&C::point_b, value); }
+  [[nodiscard]] LinkOptions with_stiffness(double value) const { return with(&C::stiffness, value); }
+  [[nodiscard]] LinkOptions with_damping(double value) const { return with(&C::damping, value); }
+  [[nodiscard]] LinkOptions with_most_force(double value) const { return with(&C::most_force, value); }
+  [[nodiscard]] LinkOptions with_break_force(double value) const { return with(&C::break_force, value); }
 };
 
 // Bodies of a universe, which they keep.
@@ -195,6 +215,63 @@ class Response {
     return detail::answer(status);
   }
 
+  // A field of forces. Neither it nor the other callbacks below may throw.
+  Answer<void> set_force_callback(abut_force_callback field, void* context) {
+    return detail::answer(abut_response_set_force_callback(get(), field, context));
+  }
+
+  // Kinds and rules; parameters such as "mu=0.5&k=1e4".
+  Answer<void> add_kind(const char* name, abut_contact_law_callback law, void* context) {
+    return detail::answer(abut_response_add_kind(get(), name, law, context));
+  }
+  [[nodiscard]] Answer<std::vector<const char*>> kinds() const {
+    return detail::collect<const char*>([this](const char** data, std::size_t capacity, std::size_t* count) {
+      return abut_response_kinds(get(), data, capacity, count);
+    });
+  }
+  // The number of the rule.
+  Answer<std::uint32_t> add_rule(const ResponseSide& a, const ResponseSide& b, const char* kind,
+                                 const char* parameters = "") {
+    std::uint32_t out = 0;
+    return detail::answer(abut_response_add_rule(get(), &a, &b, kind, parameters, &out), out);
+  }
+  Answer<void> set_rule_parameters(std::uint32_t rule, const char* parameters) {
+    return detail::answer(abut_response_set_rule_parameters(get(), rule, parameters));
+  }
+  Answer<void> clear_rules() { return detail::answer(abut_response_clear_rules(get())); }
+  Answer<void> set_variable(const char* name, const char* value) {
+    return detail::answer(abut_response_set_variable(get(), name, value));
+  }
+  // A null kind takes it away.
+  Answer<void> set_geometry_kind(GeometryId geometry, const char* kind, const char* parameters = "") {
+    return detail::answer(abut_response_set_geometry_kind(get(), geometry, kind, parameters));
+  }
+  [[nodiscard]] Answer<std::string> rule_between(GeometryId a, GeometryId b) const {
+    return detail::collect_text([&](char* text, std::size_t capacity, std::size_t* needed) {
+      return abut_response_rule_between(get(), a, b, text, capacity, needed);
+    });
+  }
+
+  // The number of the link.
+  Answer<std::uint64_t> add_link(const LinkOptions& options) {
+    std::uint64_t out = 0;
+    return detail::answer(abut_response_add_link(get(), &options, &out), out);
+  }
+  Answer<void> move_link(std::uint64_t link, const Vec3& point_a) {
+    return detail::answer(abut_response_move_link(get(), link, &point_a));
+  }
+  [[nodiscard]] Answer<Vec3> link_force(std::uint64_t link) const {
+    Vec3 out{};
+    return detail::answer(abut_response_link_force(get(), link, &out), out);
+  }
+  Answer<void> remove_link(std::uint64_t link) { return detail::answer(abut_response_remove_link(get(), link)); }
+  // Ends bonds of the kind stick.
+  Answer<void> release(GeometryId a, GeometryId b) { return detail::answer(abut_response_release(get(), a, b)); }
+
+  Answer<void> set_listener(abut_response_listener listener, void* context) {
+    return detail::answer(abut_response_set_listener(get(), listener, context));
+  }
+
   Answer<void> step(double dt) {
     const abut_status status = abut_response_step(get(), dt);
 #ifndef ABUT_NO_EXCEPTIONS
@@ -210,6 +287,12 @@ class Response {
     std::size_t count = 0;
     const abut_status status = abut_response_contacts(get(), &first, &count);
     return detail::answer_with(status, [&] { return Span<const ResponseContact>(first, count); });
+  }
+  [[nodiscard]] Answer<Span<const ResponseObject>> objects() const {
+    const ResponseObject* first = nullptr;
+    std::size_t count = 0;
+    const abut_status status = abut_response_objects(get(), &first, &count);
+    return detail::answer_with(status, [&] { return Span<const ResponseObject>(first, count); });
   }
   [[nodiscard]] Answer<Span<const ResponseIsland>> islands() const {
     const ResponseIsland* first = nullptr;

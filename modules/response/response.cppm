@@ -3,9 +3,11 @@
 export module abut.response;
 export import :cone;
 export import :island;
+export import :link;
 export import :mass;
 export import :motion;
 export import :problem;
+export import :rules;
 export import :simulation;
 export import :source;
 export import :vector;

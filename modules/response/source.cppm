@@ -13,6 +13,13 @@ export module abut.response:source;
 
 export namespace abut::response {
 
+// What rules ask of a geometry.
+struct GeometryFacts {
+  abut_geometry_id geometry{};
+  abut_part_id part{};
+  std::uint32_t label = 0, tag = 0, material = 0;
+};
+
 class Source {
  public:
   Source() = default;
@@ -26,7 +33,7 @@ class Source {
   [[nodiscard]] virtual abut_status detect(double dt) = 0;
   // Those of the last detection.
   [[nodiscard]] virtual abut_status contacts(std::vector<abut_contact>& out) const = 0;
-  [[nodiscard]] virtual abut_status part_of(abut_geometry_id geometry, abut_part_id& out) const = 0;
+  [[nodiscard]] virtual abut_status facts(abut_geometry_id geometry, GeometryFacts& out) const = 0;
   [[nodiscard]] virtual abut_status material(std::uint32_t a, std::uint32_t b, abut_contact_material& out) const = 0;
   // Whether the world has a part; false when it was destroyed.
   [[nodiscard]] virtual bool has(abut_part_id part) const = 0;

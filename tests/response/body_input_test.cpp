@@ -107,7 +107,7 @@ TEST(BodyInput, RefusesMassesByNameAndValue) {
   };
   using Options = abut_body_options;
   refused([](Options& its) { its.struct_size = 9; }, ABUT_WRONG_STRUCT_SIZE, {"options.struct_size", "9"});
-  refused([](Options& its) { its.reserved = 1; }, ABUT_INVALID_ARGUMENT, {"options.reserved", "1"});
+  refused([](Options& its) { its.integrator = 5; }, ABUT_UNKNOWN_VALUE, {"options.integrator", "5"});
   refused([](Options& its) { its.mass.mass = -1; }, ABUT_OUT_OF_RANGE, {"options.mass.mass", "-1"});
   refused([](Options& its) { its.mass.mass = nan; }, ABUT_NOT_FINITE, {"options.mass.mass"});
   refused([](Options& its) { its.mass.centre.x = infinity; }, ABUT_NOT_FINITE, {"options.mass.centre.x"});

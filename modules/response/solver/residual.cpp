@@ -59,13 +59,28 @@ Row velocity_of_impulse(const BodyMass& body, const Row& impulse) {
   return {impulse[0] / body.mass, impulse[1] / body.mass, impulse[2] / body.mass, x, y, z};
 }
 
-double weight_of(const ContactRows& contact, const std::vector<BodyMass>& bodies) {
-  double sum = 0;
-  for (std::size_t i = 0; i < contact.of_a.size(); ++i) {
-    if (contact.a != no_body) sum += dot(contact.of_a[i], velocity_of_impulse(bodies[contact.a], contact.of_a[i]));
-    if (contact.b != no_body) sum += dot(contact.of_b[i], velocity_of_impulse(bodies[contact.b], contact.of_b[i]));
+Triple diagonal_of(const ContactRows& contact, const std::vector<BodyMass>& bodies) {
+  Triple out{};
+  for (std::size_t i = 0; i < out.size(); ++i) {
+    if (contact.a != no_body) out[i] += dot(contact.of_a[i], velocity_of_impulse(bodies[contact.a], contact.of_a[i]));
+    if (contact.b != no_body) out[i] += dot(contact.of_b[i], velocity_of_impulse(bodies[contact.b], contact.of_b[i]));
   }
-  return sum / 3;
+  return out;
+}
+
+double weight_of(const ContactRows& contact, const std::vector<BodyMass>& bodies) {
+  const Triple diagonal = diagonal_of(contact, bodies);
+  return (diagonal[0] + diagonal[1] + diagonal[2]) / 3;
+}
+
+std::vector<Row> velocities_of(const Problem& problem, const std::vector<Triple>& impulses) {
+  std::vector<Row> sums(problem.bodies.size()), out = problem.free;
+  for (std::size_t k = 0; k < problem.contacts.size(); ++k) add_impulse(problem.contacts[k], impulses[k], sums);
+  for (std::size_t i = 0; i < sums.size(); ++i) {
+    const Row change = velocity_of_impulse(problem.bodies[i], sums[i]);
+    for (std::size_t j = 0; j < change.size(); ++j) out[i][j] += change[j];
+  }
+  return out;
 }
 
 Residuals residuals_of(const Problem& problem, const Solution& solution) {
@@ -84,15 +99,25 @@ Residuals residuals_of(const Problem& problem, const Solution& solution) {
     }
     add_impulse(sizes, magnitudes, size);
     Triple u = relative_velocity(contact, solution.velocities);
+    const bool is_hold = contact.law == Law::hold;
+    if (is_hold) {
+      for (std::size_t i = 0; i < 2; ++i) u[i] += contact.compliance * impulse[i];
+    }
     u[2] += contact.compliance * impulse[2] + contact.friction * norm_of(u[0], u[1]);
-    out.dissipation += std::fabs(u[0] * impulse[0] + u[1] * impulse[1] + u[2] * impulse[2]);
+    // A hold that yields does work against its largest impulse.
+    const double size_of_impulse = norm_of(impulse[0], impulse[1], impulse[2]);
+    const bool yields = is_hold && size_of_impulse >= contact.most;
+    out.dissipation += std::fabs(u[0] * impulse[0] + u[1] * impulse[1] + u[2] * impulse[2] +
+                                 (yields ? size_of_impulse * norm_of(u[0], u[1], u[2]) : 0));
     Triple moved;
     for (std::size_t i = 0; i < u.size(); ++i) moved[i] = impulse[i] - u[i] / contact.weight;
-    const Triple nearest = project(moved, contact.friction, 1, 1);
+    const Triple nearest = allowed(contact, moved);
     const double missed =
         contact.weight * norm_of(nearest[0] - impulse[0], nearest[1] - impulse[1], nearest[2] - impulse[2]);
     out.contact = larger(out.contact, missed);
-    const double unavoidable = rounding * (std::fabs(contact.offset) + contact.compliance * impulse[2]);
+    const double unavoidable = is_hold ? rounding * (norm_of(contact.drift[0], contact.drift[1], contact.drift[2]) +
+                                                     contact.compliance * size_of_impulse)
+                                       : rounding * (std::fabs(contact.offset) + contact.compliance * impulse[2]);
     out.excess = larger(out.excess, missed - unavoidable);
   }
   for (std::size_t i = 0; i < problem.bodies.size(); ++i) {

@@ -19,6 +19,12 @@ namespace {
   return {factor * axis.x, factor * axis.y, factor * axis.z, factor * moment.x, factor * moment.y, factor * moment.z};
 }
 
+// How much shorter an impulse becomes where a hold yields; 1 where it does not.
+[[nodiscard]] double part_of_most(const ContactRows& contact, const Triple& given) {
+  const double size = norm_of(given[0], given[1], given[2]);
+  return size > contact.most ? contact.most / size : 1;
+}
+
 }  // namespace
 
 ContactRows contact_rows(const ContactPlace& place) {
@@ -33,6 +39,26 @@ ContactRows contact_rows(const ContactPlace& place) {
     out.of_a[i] = row_of(out.axes[i], -out.scales[i], place.arm_a);
     out.of_b[i] = row_of(out.axes[i], out.scales[i], place.arm_b);
     out.drift[i] = out.scales[i] * dot(place.surface_velocity, out.axes[i]);
+  }
+  return out;
+}
+
+Triple allowed(const ContactRows& contact, const Triple& given, double tangent, double normal) {
+  if (contact.law == Law::contact) return project(given, contact.friction, tangent, normal);
+  const double part = part_of_most(contact, given);
+  return {part * given[0], part * given[1], part * given[2]};
+}
+
+ConePoint allowed_with_derivative(const ContactRows& contact, const Triple& given, double tangent, double normal) {
+  if (contact.law == Law::contact) return project_with_derivative(given, contact.friction, tangent, normal);
+  const double part = part_of_most(contact, given);
+  ConePoint out{.point = {part * given[0], part * given[1], part * given[2]}, .derivative = {}};
+  const double square = given[0] * given[0] + given[1] * given[1] + given[2] * given[2];
+  for (std::size_t i = 0; i < given.size(); ++i) {
+    for (std::size_t j = 0; j < given.size(); ++j) {
+      const double along = part < 1 ? given[i] * given[j] / square : 0;
+      out.derivative[i][j] = part * ((i == j ? 1 : 0) - along);
+    }
   }
   return out;
 }

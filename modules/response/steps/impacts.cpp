@@ -45,7 +45,8 @@ constexpr double part_of_slow = 0.1;
 [[nodiscard]] std::vector<StepContact> taken_apart(Pass& pass, const std::vector<Row>& velocities) {
   std::vector<StepContact> parted;
   std::erase_if(pass.contacts, [&](const StepContact& contact) {
-    const bool parts = parting_speed(contact, velocities) > part_of_slow * contact.slow;
+    const bool may_part = contact.link == 0 && contact.is_solved;
+    const bool parts = may_part && parting_speed(contact, velocities) > part_of_slow * contact.slow;
     if (parts) parted.push_back(contact);
     return parts;
   });
@@ -70,10 +71,19 @@ constexpr double part_of_slow = 0.1;
 // have no time to act. False where a velocity is not finite.
 bool Simulation::bounce(Pass& pass) {
   const std::vector<Row> velocities = velocities_of(pass.motions);
-  Pass impact{.motions = pass.motions, .contacts = {}, .islands = {}, .island_of = {}};
+  Pass impact{.motions = pass.motions, .contacts = {}, .islands = {}, .island_of = {}, .bonds = {}};
   bool is_any = false;
   for (StepContact contact : pass.contacts) {
-    if (contact.rows.compliance > 0) continue;
+    if (contact.compliance > 0 || !contact.is_solved) continue;
+    contact.given = 0;
+    if (contact.link != 0) {
+      // What holds with any force holds in an impact.
+      if (std::isfinite(contact.rows.most)) continue;
+      for (std::size_t i = 0; i < contact.opened.size(); ++i) contact.rows.drift[i] -= contact.opened[i];
+      contact.impulse = {};
+      impact.contacts.push_back(contact);
+      continue;
+    }
     const double speed = parting_speed(contact, velocities);
     is_any = is_any || speed < -part_of_slow * contact.slow;
     contact.rows.drift[2] -= contact.rows.offset;
@@ -150,7 +160,7 @@ abut_status Simulation::end_at_once(double rest) {
   Pass pass;
   if (const abut_status status = look(rest, pass); status != ABUT_OK) return status;
   if (!bounce(pass)) return ABUT_NOT_CONVERGED;
-  add_forces(rest, pass);
+  if (const abut_status status = add_forces(rest, pass); status != ABUT_OK) return status;
   if (!solve_islands(rest, pass)) return ABUT_NOT_CONVERGED;
   tell(pass);
   keep(rest, pass);
@@ -165,7 +175,7 @@ abut_status Simulation::follow(double& rest) {
   if (!bounce(pass)) return ABUT_NOT_CONVERGED;
   const std::vector<Row> before = velocities_of(pass.motions);
   const std::vector<StepContact> parted = taken_apart(pass, before);
-  add_forces(rest, pass);
+  if (const abut_status status = add_forces(rest, pass); status != ABUT_OK) return status;
   if (!solve_islands(0, pass)) return ABUT_NOT_CONVERGED;
   tell(pass);
   keep(rest, pass);

@@ -6,6 +6,9 @@
 //
 //   0 <= impulse_n, 0 <= u_n + compliance * impulse_n, one of them 0 (the offset of the gap is part of the drift)
 //   |impulse_T| <= friction * impulse_n; where it slides, impulse_T is against u_T and as large as it may be
+//
+// A hold has another law: u + compliance * impulse = 0 along all three axes, unless |impulse| would exceed `most`.
+// There the impulse has that size and is against u + compliance * impulse.
 module;
 
 #include <abut/abut.h>
@@ -39,6 +42,8 @@ struct ContactPlace {
   abut_vec3 surface_velocity;       // of b less a, beyond that of the bodies
 };
 
+enum class Law : unsigned char { contact, hold };
+
 // The rows of t and s are scaled, so that the cone of friction is round.
 struct ContactRows {
   std::uint32_t a, b;
@@ -50,6 +55,8 @@ struct ContactRows {
   double weight;                  // mean of the diagonal of J M^-1 J^T
   std::array<abut_vec3, 3> axes;  // t, s, n; units
   std::array<double, 3> scales;   // of the axes
+  Law law = Law::contact;
+  double most = 0;  // largest impulse of a hold
 };
 
 struct Problem {
@@ -63,11 +70,14 @@ struct Solution {
   std::vector<Triple> impulses;  // on b along the rows of the contact
 };
 
+enum class Method : unsigned char { newton, sweeps };
+
 struct SolverOptions {
   double tolerance = 1e-9;  // part of `speed`
   double speed = 0;         // 0: the largest of the free motion
   std::uint32_t most_rounds = 200;
   bool is_warm = false;  // whether the solution holds a start
+  Method method = Method::newton;
 };
 
 // How far a solution is from the law.
@@ -89,6 +99,11 @@ struct SolverReport {
 
 // Rigid and closed; the weight is still to come.
 [[nodiscard]] ContactRows contact_rows(const ContactPlace& place);
+// The impulse that the law allows nearest to `given`, where squares along tangents count `tangent`, and along the
+// normal `normal`. A hold is asked with both equal.
+[[nodiscard]] Triple allowed(const ContactRows& contact, const Triple& given, double tangent = 1, double normal = 1);
+[[nodiscard]] ConePoint allowed_with_derivative(const ContactRows& contact, const Triple& given, double tangent,
+                                                double normal);
 // From impulses along the rows to those in the world, and back.
 [[nodiscard]] abut_vec3 world_impulse(const ContactRows& contact, const Triple& impulse);
 [[nodiscard]] Triple impulse_along(const ContactRows& contact, const abut_vec3& impulse);
@@ -99,13 +114,20 @@ struct SolverReport {
 void add_impulse(const ContactRows& contact, const Triple& impulse, std::vector<Row>& sums);
 // What an impulse (or the rest of the equation of motion) changes of the velocity of a body.
 [[nodiscard]] Row velocity_of_impulse(const BodyMass& body, const Row& impulse);
-// Mean of the diagonal of J M^-1 J^T of a contact whose rows are filled in.
+// The diagonal of J M^-1 J^T of a contact whose rows are filled in, and its mean.
+[[nodiscard]] Triple diagonal_of(const ContactRows& contact, const std::vector<BodyMass>& bodies);
 [[nodiscard]] double weight_of(const ContactRows& contact, const std::vector<BodyMass>& bodies);
+
+// Of v - free by impulses: velocities that keep the equation of motion.
+[[nodiscard]] std::vector<Row> velocities_of(const Problem& problem, const std::vector<Triple>& impulses);
 
 [[nodiscard]] Residuals residuals_of(const Problem& problem, const Solution& solution);
 
-// Proximal augmented Lagrangian, Newton's method inside. O(rounds * the factors of a sparse matrix of 6 unknowns a
-// body).
+// Newton: proximal augmented Lagrangian, Newton's method inside. O(rounds * the factors of a sparse matrix of 6
+// unknowns a body). Sweeps: contact after contact, O(rounds * contacts).
 SolverReport solve(const Problem& problem, const SolverOptions& options, Solution& solution);
+// The rounds of either method, from a start. `speed` is what the tolerance is a part of.
+SolverReport rounds_of_newton(const Problem& problem, const SolverOptions& options, double speed, Solution& solution);
+SolverReport sweeps_of(const Problem& problem, const SolverOptions& options, double speed, Solution& solution);
 
 }  // namespace abut::response

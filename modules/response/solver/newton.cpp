@@ -134,25 +134,29 @@ class Rounds {
     const Triple& kept = solution_.impulses[k];
     const double q = epsilon_ * contact.weight;
     const double s = shift == Shift::exact ? contact.friction * tangent_speed(u) : shifts_[k];
-    return {kept[0] - u[0] / q, kept[1] - u[1] / q, (q * kept[2] - (u[2] + s)) / (q + contact.compliance)};
+    const double along = (q * kept[2] - (u[2] + s)) / (q + contact.compliance);
+    if (contact.law == Law::contact) return {kept[0] - u[0] / q, kept[1] - u[1] / q, along};
+    const double whole = q + contact.compliance;
+    return {(q * kept[0] - u[0]) / whole, (q * kept[1] - u[1]) / whole, along};
   }
 
   [[nodiscard]] Triple impulse(std::size_t k, const Triple& u, Shift shift) const {
     const ContactRows& contact = problem_.contacts[k];
     const double q = epsilon_ * contact.weight;
-    return project(argument(k, u, shift), contact.friction, q, q + contact.compliance);
+    return allowed(contact, argument(k, u, shift), q, q + contact.compliance);
   }
 
   // What an impulse loses for each velocity that is gained: minus its derivative.
   [[nodiscard]] Small stiffness(std::size_t k, const Triple& u, Shift shift) const {
     const ContactRows& contact = problem_.contacts[k];
     const double q = epsilon_ * contact.weight;
-    const ConePoint at = project_with_derivative(argument(k, u, shift), contact.friction, q, q + contact.compliance);
+    const ConePoint at = allowed_with_derivative(contact, argument(k, u, shift), q, q + contact.compliance);
+    const double across = contact.law == Law::contact ? q : q + contact.compliance;
     Small out;
     for (int i = 0; i < 3; ++i) {
       for (int j = 0; j < 3; ++j) {
         out(i, j) = at.derivative[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)] /
-                    (j == 2 ? q + contact.compliance : q);
+                    (j == 2 ? q + contact.compliance : across);
       }
     }
     if (const double length = tangent_speed(u); shift == Shift::exact && length > 0) {
@@ -358,35 +362,10 @@ SolverReport Rounds::run(const SolverOptions& options, double speed) {
   return report;
 }
 
-// The largest speed of a body or of two surfaces in the free motion.
-[[nodiscard]] double free_speed(const Problem& problem) {
-  double speed = 0;
-  for (const Row& v : problem.free) speed = std::max(speed, norm_of(v[0], v[1], v[2]));
-  for (const ContactRows& contact : problem.contacts) {
-    const Triple u = relative_velocity(contact, problem.free);
-    speed = std::max(speed, norm_of(u[0], u[1], u[2] - contact.offset));
-  }
-  return speed;
-}
-
-[[nodiscard]] bool is_finite(const Solution& solution) {
-  const auto all = [](const auto& numbers) {
-    return std::ranges::all_of(numbers, [](double x) { return std::isfinite(x); });
-  };
-  return std::ranges::all_of(solution.velocities, all) && std::ranges::all_of(solution.impulses, all);
-}
-
 }  // namespace
 
-SolverReport solve(const Problem& problem, const SolverOptions& options, Solution& solution) {
-  if (!options.is_warm) {
-    solution.velocities = problem.free;
-    solution.impulses.assign(problem.contacts.size(), Triple{});
-  }
-  const double speed = options.speed > 0 ? options.speed : free_speed(problem);
-  SolverReport report = Rounds(problem, solution).run(options, speed);
-  report.is_finite = is_finite(solution);
-  return report;
+SolverReport rounds_of_newton(const Problem& problem, const SolverOptions& options, double speed, Solution& solution) {
+  return Rounds(problem, solution).run(options, speed);
 }
 
 }  // namespace abut::response

@@ -1,0 +1,308 @@
+// SPDX-License-Identifier: Apache-2.0
+// What touches and what is linked at the start of a step, and by which law.
+module;
+
+#include <abut/response.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+module abut.response;
+
+namespace abut::response {
+
+namespace {
+
+[[nodiscard]] auto key_of(const KeptContact& contact) {
+  return std::tuple(contact.a.slot, contact.a.generation, contact.b.slot, contact.b.generation, contact.id);
+}
+[[nodiscard]] bool is_same(const abut_geometry_id& a, const abut_geometry_id& b) {
+  return a.slot == b.slot && a.generation == b.generation;
+}
+
+// What the kind friction says, for a kind of the caller.
+[[nodiscard]] abut_contact_law law_of(const StepContact& contact, double dt) {
+  const ContactRows& rows = contact.rows;
+  const Yield yield = yield_of(contact, dt);
+  return {.friction_primary = rows.friction * rows.scales[0],
+          .friction_secondary = rows.friction * rows.scales[1],
+          .compliance = yield.compliance,
+          .offset = yield.offset,
+          .pull = contact.given < 0 ? -contact.given : 0,
+          .surface_velocity = {}};
+}
+
+}  // namespace
+
+abut_status Simulation::look(double dt, Pass& pass) {
+  if (const abut_status status = source_->detect(dt); status != ABUT_OK) return status;
+  pass.motions.assign(bodies_.size(), {});
+  for (std::size_t i = 0; i < bodies_.size(); ++i) {
+    if (const abut_status status = read(bodies_[i], pass.motions[i]); status != ABUT_OK) return status;
+  }
+  return collect(dt, pass);
+}
+
+const KeptContact* Simulation::find_kept(const abut_contact& record) const {
+  const KeptContact key{
+      .a = record.geometry_a, .b = record.geometry_b, .id = record.id, .force = {}, .is_sticking = false, .creep = {}};
+  const auto kept =
+      std::ranges::lower_bound(kept_, key_of(key), {}, [](const KeptContact& its) { return key_of(its); });
+  return kept != kept_.end() && key_of(*kept) == key_of(key) ? &*kept : nullptr;
+}
+
+bool Simulation::has_bond(const Pair& pair) const {
+  return std::ranges::any_of(links_, [&](const Link& link) {
+    return is_same(link.geometry_a, pair.first) && is_same(link.geometry_b, pair.second);
+  });
+}
+
+abut_status Simulation::read_side(abut_part_id part, const abut_vec3& point, const Pass& pass, Side& out) const {
+  if (part.slot == 0) return ABUT_OK;
+  if (const Body* const found = find(part); found != nullptr) {
+    const auto body = static_cast<std::uint32_t>(found - bodies_.data());
+    // A body that is asleep, or held, is as good as the ground.
+    if (pass.motions[body].is_awake) out.body = body;
+    return ABUT_OK;
+  }
+  abut_pose pose;
+  abut_velocity moving;
+  if (const abut_status status = source_->pose(part, pose); status != ABUT_OK) return status;
+  if (const abut_status status = source_->velocity(part, moving); status != ABUT_OK) return status;
+  out.velocity = add(moving.linear, cross(moving.angular, subtract(point, pose.position)));
+  return ABUT_OK;
+}
+
+// What materials say, then what rules say, then what the callback makes of it.
+abut_status Simulation::read_terms(const abut_contact& record, const GeometryFacts& a, const GeometryFacts& b,
+                                   StepContact& contact, Terms& terms, bool& counts) const {
+  abut_status status = source_->material(record.material_a, record.material_b, terms.material);
+  if (status != ABUT_OK) return status;
+  const Choice choice = rules_.choose(a, b);
+  if (choice.parameters != nullptr) choice.parameters->apply(terms);
+  contact.kind = choice.kind;
+  contact.response = rules_.kinds()[choice.kind].response;
+  if (edit_) status = edit_(record, terms.material, counts);
+  contact.compliance = terms.material.compliance;
+  contact.damping = terms.material.damping;
+  contact.epsilon = terms.epsilon;
+  contact.restitution = terms.material.restitution;
+  contact.slow = terms.material.restitution_threshold;
+  return status;
+}
+
+// Of a kind that the caller has added.
+abut_status Simulation::take_law(double dt, const Pass& pass, StepContact& contact, bool& counts) const {
+  std::vector<Row> velocities(pass.motions.size());
+  for (const std::uint32_t side : {contact.a, contact.b}) {
+    if (side != no_body) velocities[side] = row_of(pass.motions[side].linear, pass.motions[side].angular);
+  }
+  abut_contact_law law = law_of(contact, dt);
+  ContactRows plain = contact.rows;
+  for (std::size_t i = 0; i < plain.scales.size(); ++i) {
+    const double scale = plain.scales[i] > 0 ? 1 / plain.scales[i] : 0;
+    for (double& number : plain.of_a[i]) number *= scale;
+    for (double& number : plain.of_b[i]) number *= scale;
+    plain.drift[i] *= scale;
+  }
+  const Triple along = relative_velocity(plain, velocities);
+  abut_vec3 velocity{};
+  for (std::size_t i = 0; i < along.size(); ++i) velocity = add(velocity, scale(plain.axes[i], along[i]));
+  const abut_status status = rules_.kinds()[contact.kind].law(contact.record, velocity, dt, law, counts);
+  if (status != ABUT_OK || !counts) return status;
+  const auto centre = [&](std::uint32_t side) { return side == no_body ? contact.point : pass.motions[side].centre; };
+  abut_vec3 drift = law.surface_velocity;
+  for (std::size_t i = 0; i < plain.axes.size(); ++i) drift = add(drift, scale(plain.axes[i], plain.drift[i]));
+  contact.rows = contact_rows({.a = contact.a,
+                               .b = contact.b,
+                               .arm_a = subtract(contact.point, centre(contact.a)),
+                               .arm_b = subtract(contact.point, centre(contact.b)),
+                               .axes = plain.axes,
+                               .frictions = {law.friction_primary, law.friction_secondary},
+                               .surface_velocity = drift});
+  contact.rows.compliance = contact.compliance = law.compliance;
+  contact.rows.offset = law.offset;
+  contact.rows.drift[2] += law.offset;
+  contact.given = -law.pull;
+  return ABUT_OK;
+}
+
+abut_status Simulation::bond(const abut_contact& record, const GeometryFacts& a, const GeometryFacts& b,
+                             const Terms& terms, std::uint32_t kind, Pass& pass) const {
+  const double compliance = terms.material.compliance;
+  Link link{.number = next_link_ + pass.bonds.size(),
+            .a = {.part = a.part, .point = {}},
+            .b = {.part = b.part, .point = {}},
+            .stiffness = compliance > 0 ? 1 / compliance : 0,
+            .damping = terms.material.damping,
+            .most_force = 0,
+            .break_force = terms.break_force,
+            .force = {},
+            .geometry_a = record.geometry_a,
+            .geometry_b = record.geometry_b,
+            .contact = record.id,
+            .kind = kind,
+            .normal = record.normal};
+  const abut_vec3 point = scale(add(record.point_a, record.point_b), 0.5);
+  for (Anchor* const anchor : {&link.a, &link.b}) {
+    abut_pose pose;
+    if (const abut_status status = source_->pose(anchor->part, pose); status != ABUT_OK) return status;
+    anchor->point = times(transposed(matrix_of(normalized(pose.orientation))), subtract(point, pose.position));
+  }
+  pass.bonds.push_back(link);
+  return ABUT_OK;
+}
+
+// The contacts that have a body which is awake, with their rows, and the links.
+abut_status Simulation::collect(double dt, Pass& pass) {
+  const std::vector<Motion>& motions = pass.motions;
+  pass.contacts.clear();
+  resting_.clear();
+  std::vector<abut_contact> found;
+  if (const abut_status status = source_->contacts(found); status != ABUT_OK) return status;
+  for (const abut_contact& record : found) {
+    if ((record.flags & ABUT_CONTACT_SENSOR) != 0) continue;
+    StepContact contact;
+    contact.record = record;
+    contact.point = scale(add(record.point_a, record.point_b), 0.5);
+    GeometryFacts facts_a, facts_b;
+    Side side_a, side_b;
+    abut_status status = source_->facts(record.geometry_a, facts_a);
+    if (status == ABUT_OK) status = source_->facts(record.geometry_b, facts_b);
+    if (status == ABUT_OK) status = read_side(facts_a.part, contact.point, pass, side_a);
+    if (status == ABUT_OK) status = read_side(facts_b.part, contact.point, pass, side_b);
+    if (status != ABUT_OK) return status;
+    contact.a = side_a.body;
+    contact.b = side_b.body;
+    const Pair pair(record.geometry_a, record.geometry_b);
+    if (contact.a == contact.b) {
+      if (contact.a == no_body) resting_.push_back(pair);
+      continue;
+    }
+    facts_a.material = record.material_a;
+    facts_b.material = record.material_b;
+    Terms terms;
+    bool counts = true;
+    status = read_terms(record, facts_a, facts_b, contact, terms, counts);
+    if (status != ABUT_OK) return status;
+    if (!counts) continue;
+    if (contact.response == Response::stick) {
+      if (has_bond(pair)) continue;
+      const bool is_released = std::ranges::any_of(released_, [&](const Pair& its) {
+        return is_same(its.first, pair.first) && is_same(its.second, pair.second);
+      });
+      if (!is_released) {
+        status = bond(record, facts_a, facts_b, terms, contact.kind, pass);
+        if (status != ABUT_OK) return status;
+        continue;
+      }
+    }
+    const KeptContact* const kept = find_kept(record);
+    const double grip = kept != nullptr && kept->is_sticking ? terms.material.static_scale : 1;
+    const double rubs = contact.response == Response::penalty ? 0 : grip;
+    const auto centre = [&](std::uint32_t side) { return side == no_body ? contact.point : motions[side].centre; };
+    contact.rows =
+        contact_rows({.a = contact.a,
+                      .b = contact.b,
+                      .arm_a = subtract(contact.point, centre(contact.a)),
+                      .arm_b = subtract(contact.point, centre(contact.b)),
+                      .axes = {record.tangent, cross(record.normal, record.tangent), record.normal},
+                      .frictions = {rubs * terms.material.friction_primary, rubs * terms.material.friction_secondary},
+                      .surface_velocity = subtract(side_b.velocity, side_a.velocity)});
+    contact.given = -dt * terms.material.adhesive_force;
+    contact.is_solved = contact.response != Response::none;
+    if (contact.response == Response::none) contact.given = 0;
+    if (kept != nullptr && contact.response == Response::slide && kept->is_sticking) {
+      contact.creep = kept->creep;
+      for (std::size_t i = 0; i < 2; ++i)
+        contact.rows.drift[i] += contact.rows.scales[i] * dot(kept->creep, contact.rows.axes[i]) / dt;
+    }
+    if (contact.response == Response::custom) {
+      status = take_law(dt, pass, contact, counts);
+      if (status != ABUT_OK) return status;
+      if (!counts) {
+        contact.is_solved = false;
+        contact.given = 0;
+      }
+    }
+    if (kept != nullptr && contact.is_solved) contact.impulse = impulse_along(contact.rows, scale(kept->force, dt));
+    pass.contacts.push_back(contact);
+  }
+  for (const std::vector<Link>* const links : {&std::as_const(links_), &std::as_const(pass.bonds)}) {
+    for (const Link& link : *links) {
+      if (const abut_status status = collect_link(link, dt, pass); status != ABUT_OK) return status;
+    }
+  }
+  return ABUT_OK;
+}
+
+abut_status Simulation::place_of(const Anchor& anchor, abut_vec3& out) const {
+  out = anchor.point;
+  if (anchor.part.slot == 0) return ABUT_OK;
+  abut_pose pose;
+  if (const abut_status status = source_->pose(anchor.part, pose); status != ABUT_OK) return status;
+  out = add(pose.position, times(matrix_of(normalized(pose.orientation)), anchor.point));
+  return ABUT_OK;
+}
+
+// Three rows along the axes of the world. Rigid ones close what has opened within the step.
+abut_status Simulation::collect_link(const Link& link, double dt, Pass& pass) const {
+  abut_vec3 point_a, point_b;
+  abut_status status = place_of(link.a, point_a);
+  if (status == ABUT_OK) status = place_of(link.b, point_b);
+  Side side_a, side_b;
+  if (status == ABUT_OK) status = read_side(link.a.part, point_a, pass, side_a);
+  if (status == ABUT_OK) status = read_side(link.b.part, point_b, pass, side_b);
+  if (status != ABUT_OK) return status;
+  if (side_a.body == side_b.body) return ABUT_OK;
+  StepContact contact;
+  contact.link = link.number;
+  contact.kind = link.kind;
+  contact.response = Response::stick;
+  contact.record.geometry_a = link.geometry_a;
+  contact.record.geometry_b = link.geometry_b;
+  contact.record.id = link.contact;
+  contact.record.normal = link.normal;
+  contact.record.distance = length(subtract(point_b, point_a));
+  contact.a = side_a.body;
+  contact.b = side_b.body;
+  contact.point = scale(add(point_a, point_b), 0.5);
+  const auto arm = [&](std::uint32_t side, const abut_vec3& point) {
+    return side == no_body ? abut_vec3{} : subtract(point, pass.motions[side].centre);
+  };
+  contact.rows = contact_rows({.a = contact.a,
+                               .b = contact.b,
+                               .arm_a = arm(contact.a, point_a),
+                               .arm_b = arm(contact.b, point_b),
+                               .axes = {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}},
+                               .frictions = {1, 1},
+                               .surface_velocity = subtract(side_b.velocity, side_a.velocity)});
+  contact.rows.law = Law::hold;
+  contact.rows.friction = 0;
+  contact.rows.most = link.most_force > 0 ? link.most_force * dt : std::numeric_limits<double>::infinity();
+  contact.compliance = link.stiffness > 0 ? 1 / link.stiffness : 0;
+  const double whole = dt * link.stiffness + link.damping;
+  const double gain = link.stiffness > 0 ? link.stiffness / whole : 1 / dt;
+  if (link.stiffness > 0) contact.rows.compliance = 1 / (dt * whole);
+  const abut_vec3 apart = subtract(point_b, point_a);
+  for (std::size_t i = 0; i < contact.rows.drift.size(); ++i) {
+    contact.opened[i] = gain * dot(apart, contact.rows.axes[i]);
+    contact.rows.drift[i] += contact.opened[i];
+  }
+  contact.impulse = impulse_along(contact.rows, scale(link.force, dt));
+  pass.contacts.push_back(contact);
+  return ABUT_OK;
+}
+
+}  // namespace abut::response

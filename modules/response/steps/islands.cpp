@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: Apache-2.0
+// Impulses of each island, and a push apart where rigid bodies overlap.
+module;
+
+#include <abut/response.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+module abut.response;
+
+namespace abut::response {
+
+std::vector<std::pair<std::uint32_t, std::uint32_t>> sides_of(const std::vector<StepContact>& contacts) {
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> sides;
+  sides.reserve(contacts.size());
+  for (const StepContact& contact : contacts) {
+    const bool joins = contact.is_solved || contact.given != 0;
+    const std::uint32_t other = joins ? contact.b : no_body;
+    sides.emplace_back(contact.a == no_body ? contact.b : contact.a, contact.a == no_body ? no_body : other);
+  }
+  return sides;
+}
+
+namespace {
+
+// Numbers of bodies within the island.
+void renumber(ContactRows& rows, const Island& island) {
+  for (std::uint32_t* const side : {&rows.a, &rows.b}) {
+    if (*side == no_body) continue;
+    *side = static_cast<std::uint32_t>(std::ranges::lower_bound(island.bodies, *side) - island.bodies.begin());
+  }
+}
+
+[[nodiscard]] abut_residuals residuals_of(const SolverReport& report) {
+  return {.contact = report.residuals.contact,
+          .motion = report.residuals.motion,
+          .dissipation = report.residuals.dissipation,
+          .speed = report.speed,
+          .rounds = report.rounds,
+          .newton_steps = report.newton_steps,
+          .is_converged = report.is_converged ? 1U : 0U,
+          .reserved = 0};
+}
+
+}  // namespace
+
+// Velocities and impulses of an island, and a push apart. False where they are not finite.
+bool Simulation::solve_island(const Island& island, double ahead, Pass& pass, abut_response_island& told) const {
+  std::vector<Motion>& motions = pass.motions;
+  std::vector<StepContact>& contacts = pass.contacts;
+  told.body_count = static_cast<std::uint32_t>(island.bodies.size());
+  told.contact_count = static_cast<std::uint32_t>(island.contacts.size());
+  std::vector<std::uint32_t> solved_contacts = island.contacts;
+  std::erase_if(solved_contacts, [&](std::uint32_t k) { return !contacts[k].is_solved; });
+  told.residuals.is_converged = 1;
+  if (solved_contacts.empty()) return true;
+  Problem problem;
+  Solution solution;
+  for (const std::uint32_t body : island.bodies) {
+    const Motion& motion = motions[body];
+    problem.bodies.push_back({.mass = motion.mass, .inertia = motion.inertia});
+    problem.free.push_back(row_of(motion.linear, motion.angular));
+  }
+  for (const std::uint32_t k : solved_contacts) {
+    ContactRows rows = contacts[k].rows;
+    renumber(rows, island);
+    rows.weight = weight_of(rows, problem.bodies);
+    const Triple start = allowed(rows, contacts[k].impulse);
+    if (contacts[k].response == Response::augmented && ahead > 0 && contacts[k].compliance == 0) {
+      rows.compliance = contacts[k].epsilon * rows.weight;
+      rows.drift[2] -= rows.compliance * start[2];
+    }
+    problem.contacts.push_back(rows);
+    solution.impulses.push_back(start);
+  }
+  const auto pushes = [](const Triple& impulse) { return impulse[0] != 0 || impulse[1] != 0 || impulse[2] != 0; };
+  const bool is_warm = std::ranges::any_of(solution.impulses, pushes);
+  if (is_warm) solution.velocities = velocities_of(problem, solution.impulses);
+  const SolverReport solved = solve(problem,
+                                    {.tolerance = options_.tolerance,
+                                     .speed = 0,
+                                     .most_rounds = options_.most_rounds,
+                                     .is_warm = is_warm,
+                                     .method = options_.solver == ABUT_SOLVER_SWEEPS ? Method::sweeps : Method::newton},
+                                    solution);
+  told.residuals = residuals_of(solved);
+  if (!solved.is_finite) return false;
+  for (std::size_t i = 0; i < island.bodies.size(); ++i) {
+    Motion& motion = motions[island.bodies[i]];
+    motion.linear = vector_of(solution.velocities[i], 0);
+    motion.angular = vector_of(solution.velocities[i], 3);
+  }
+  for (std::size_t k = 0; k < solved_contacts.size(); ++k) {
+    StepContact& contact = contacts[solved_contacts[k]];
+    contact.impulse = solution.impulses[k];
+    contact.velocity = relative_velocity(problem.contacts[k], solution.velocities);
+    contact.velocity[2] -= problem.contacts[k].drift[2] - contact.rows.drift[2] + contact.rows.offset;
+    contact.gap = contact.record.distance + ahead * contact.velocity[2];
+    if (!pushes(contact.impulse)) continue;
+    for (const std::uint32_t side : {contact.a, contact.b}) {
+      if (side == no_body) continue;
+      const bool keeps_middle = contact.compliance > 0 && motions[side].integrator == ABUT_INTEGRATOR_MIDPOINT;
+      motions[side].is_pushed = motions[side].is_pushed || !keeps_middle;
+    }
+  }
+  return move_apart(island, solved_contacts, problem, pass);
+}
+
+// Rigid contacts that overlap at the end of the step are opened by the least moves, which change no velocity and tear
+// no rigid link.
+bool Simulation::move_apart(const Island& island, const std::vector<std::uint32_t>& solved_contacts,
+                            const Problem& solved, Pass& pass) const {
+  Problem problem{.bodies = solved.bodies, .free = std::vector<Row>(solved.bodies.size()), .contacts = {}};
+  double deepest = 0;
+  for (std::size_t k = 0; k < solved_contacts.size(); ++k) {
+    const StepContact& contact = pass.contacts[solved_contacts[k]];
+    ContactRows rows = solved.contacts[k];
+    if (contact.compliance > 0) continue;
+    rows.friction = rows.compliance = 0;
+    rows.drift = {};
+    rows.most = std::numeric_limits<double>::infinity();
+    if (rows.law == Law::contact) {
+      rows.offset = contact.gap + options_.slop;
+      rows.drift[2] = rows.offset;
+      deepest = std::max(deepest, -rows.offset);
+    }
+    problem.contacts.push_back(rows);
+  }
+  if (!(deepest > 0)) return true;
+  Solution moves;
+  const SolverReport report = solve(problem,
+                                    {.tolerance = options_.tolerance,
+                                     .speed = deepest,
+                                     .most_rounds = options_.most_rounds,
+                                     .is_warm = false,
+                                     .method = Method::newton},
+                                    moves);
+  for (std::size_t i = 0; i < island.bodies.size(); ++i) {
+    Motion& motion = pass.motions[island.bodies[i]];
+    motion.shift = vector_of(moves.velocities[i], 0);
+    motion.tilt = vector_of(moves.velocities[i], 3);
+  }
+  return report.is_finite;
+}
+
+bool Simulation::solve_islands(double ahead, Pass& pass) const {
+  std::vector<Island> islands = islands_of(pass.motions.size(), sides_of(pass.contacts));
+  std::erase_if(islands, [](const Island& island) { return island.contacts.empty(); });
+  pass.islands.assign(islands.size(), {});
+  pass.island_of.assign(pass.contacts.size(), 0);
+  for (std::uint32_t i = 0; i < islands.size(); ++i) {
+    for (const std::uint32_t k : islands[i].contacts) pass.island_of[k] = i;
+  }
+  for (std::size_t i = 0; i < islands.size(); ++i) {
+    if (!solve_island(islands[i], ahead, pass, pass.islands[i])) return false;
+  }
+  return true;
+}
+
+}  // namespace abut::response
