@@ -254,6 +254,8 @@ abut_status abut_response_step(abut_response* response, double dt) {
     const abut_status checked = check_number(dt, "dt", std::numeric_limits<double>::min(), largest_number,
                                              "it must be above 0 and at most 1e30");
     if (checked != ABUT_OK) return checked;
+    if (its.simulation.has_particles() && its.simulation.stops_at_impacts())
+      return refuse(ABUT_UNSUPPORTED, "particles go without ABUT_RESPONSE_IMPACTS");
     const Stepping stepping(its);
     const abut_status status = its.simulation.step(dt);
     if (status == ABUT_OK && its.listener != nullptr) {

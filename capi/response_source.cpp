@@ -69,6 +69,30 @@ bool ResponseSource::has(abut_part_id part) const {
   return has_it;
 }
 
+bool ResponseSource::has(abut_geometry_id geometry) const {
+  const std::string message = abut_last_error_message();
+  response::GeometryFacts ignored;
+  const bool has_it = facts(geometry, ignored) == ABUT_OK;
+  if (!has_it) abut_set_last_error(ABUT_OK, message.c_str());
+  return has_it;
+}
+
+abut_status ResponseSource::move_particles(abut_geometry_id geometry, std::span<const double> xyz) {
+  abut_geometry_info info;
+  abut_geometry_info_init(&info, sizeof info);
+  const abut_status status = abut_geometry_describe(universe_.get(), geometry, &info);
+  if (status != ABUT_OK) return status;
+  using namespace response;
+  const Matrix back = transposed(matrix_of(info.pose.orientation));
+  std::vector<double> local;
+  local.reserve(xyz.size());
+  for (std::size_t i = 0; i + 2 < xyz.size(); i += 3) {
+    const abut_vec3 at = times(back, subtract({xyz[i], xyz[i + 1], xyz[i + 2]}, info.pose.position));
+    local.insert(local.end(), {at.x, at.y, at.z});
+  }
+  return abut_geometry_set_particles(universe_.get(), geometry, 0, local.data(), nullptr, local.size() / 3);
+}
+
 abut_status ResponseSource::is_awake(abut_part_id part, bool& out) const {
   abut_motion motion = 0;
   std::uint32_t is_asleep = 0;

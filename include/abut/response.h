@@ -225,9 +225,9 @@ ABUT_API abut_status abut_response_apply_torque(abut_response *response, abut_pa
 
 /**
  * A field of forces: adds to the force through the centre of mass, and to the torque. The position of `pose` is the
- * centre of mass, its orientation that of the part, and `velocity` that of the centre of mass. `time` counts from the creation of the
- * response. It runs on the thread that steps, up to four times a body and step, as integrators ask. It may make [const]
- * calls; it must not throw.
+ * centre of mass, its orientation that of the part, and `velocity` that of the centre of mass. `time` counts from the
+ * creation of the response. It runs on the thread that steps, up to four times a body and step, as integrators ask. It
+ * may make [const] calls; it must not throw.
  */
 typedef void (*abut_force_callback)(void *context, abut_part_id part, const abut_pose *pose,
                                     const abut_velocity *velocity, double time, abut_vec3 *force, abut_vec3 *torque);
@@ -236,6 +236,33 @@ typedef void (*abut_force_callback)(void *context, abut_part_id part, const abut
  * step answer ABUT_NOT_FINITE. [exclusive] */
 ABUT_API abut_status abut_response_set_force_callback(abut_response *response, abut_force_callback callback,
                                                       void *context);
+
+/**
+ * Makes bodies that do not turn of all particles of a geometry, whose part must be no body. They go by the integrator
+ * ABUT_INTEGRATOR_IMPLICIT, and by gravity alone. Particles that were bodies already get the new numbers. They end with
+ * their geometry.
+ * ABUT_UNSUPPORTED for a geometry that has no particles. While there are any, a step with ABUT_RESPONSE_IMPACTS is
+ * ABUT_UNSUPPORTED, too.
+ * @param masses      count numbers, 1e-30 to 1e30; 0 for a particle that is held
+ * @param xyz         count * 3 numbers, centres in the world; the geometry takes them
+ * @param velocities  count * 3 numbers; null for 0
+ * @param count       of the geometry; particles beyond are walls
+ * [exclusive]
+ */
+ABUT_API abut_status abut_response_add_particles(abut_response *response, abut_geometry_id geometry,
+                                                 const double *masses, const double *xyz, const double *velocities,
+                                                 size_t count);
+
+/** Ends particles; they stay where they are. ABUT_STALE_ID where the geometry has none. [exclusive] */
+ABUT_API abut_status abut_response_remove_particles(abut_response *response, abut_geometry_id geometry);
+
+/**
+ * Where particles are in the world, and how they move: count * 3 numbers each. Borrowed until the next [exclusive]
+ * call.
+ * ABUT_STALE_ID where the geometry has none. [const]
+ */
+ABUT_API abut_status abut_response_particles(const abut_response *response, abut_geometry_id geometry,
+                                             const double **xyz, const double **velocities, size_t *count);
 
 /* ------------------------------------------------------------------------------------------------
  * What contacts do: kinds, rules and links
@@ -267,8 +294,9 @@ typedef struct abut_contact_law {
  * The law of a contact of your own kind, for one step. `law` holds what the kind "friction" would do. A force f(gap),
  * such as that of Hertz, has the slope k = -df/dgap. By implicit Euler, linear within the step, it becomes
  *   compliance = 1 / (dt * dt * k), offset = -f / (dt * k).
- * `velocity` is that of b less a at the contact, before the step. 0 leaves the contact without an impulse. It runs on the thread that steps, in the order of contacts, and again after
- * each impact. It may make [const] calls; it must not throw.
+ * `velocity` is that of b less a at the contact, before the step. 0 leaves the contact without an
+ * impulse. It runs on the thread that steps, in the order of contacts, and again after each impact. It may make [const]
+ * calls; it must not throw.
  */
 typedef uint32_t (*abut_contact_law_callback)(void *context, const abut_contact *contact, const abut_vec3 *velocity,
                                               double dt, abut_contact_law *law);
@@ -488,6 +516,8 @@ ABUT_API abut_status abut_response_set_listener(abut_response *response, abut_re
 typedef struct abut_response_island {
   uint32_t body_count;
   uint32_t contact_count;
+  abut_integrator integrator; /**< that its bodies go by */
+  uint32_t reserved;          /**< zero */
   abut_residuals residuals;
 } abut_response_island;
 

@@ -215,6 +215,32 @@ class Response {
     return detail::answer(status);
   }
 
+  // Particles of a geometry as bodies that do not turn; where they are in the world, three numbers each. Velocities may
+  // be empty, for 0.
+  Answer<void> add_particles(GeometryId geometry, Span<const double> masses, Span<const double> xyz,
+                             Span<const double> velocities = {}) {
+    abut_status status = detail::expect_as_many("xyz", xyz.size(), "masses, three times", 3 * masses.size());
+    if (status == ABUT_OK && velocities.size() != 0)
+      status = detail::expect_as_many("velocities", velocities.size(), "masses, three times", 3 * masses.size());
+    if (status == ABUT_OK) {
+      status = abut_response_add_particles(get(), geometry, masses.data(), xyz.data(), velocities.data(),
+                                           masses.size());
+    }
+    return detail::answer(status);
+  }
+  Answer<void> remove_particles(GeometryId geometry) {
+    return detail::answer(abut_response_remove_particles(get(), geometry));
+  }
+  // Borrowed until the next step: places, and velocities.
+  [[nodiscard]] Answer<std::pair<Span<const double>, Span<const double>>> particles(GeometryId geometry) const {
+    const double *xyz = nullptr, *velocities = nullptr;
+    std::size_t count = 0;
+    const abut_status status = abut_response_particles(get(), geometry, &xyz, &velocities, &count);
+    return detail::answer_with(status, [&] {
+      return std::pair(Span<const double>(xyz, 3 * count), Span<const double>(velocities, 3 * count));
+    });
+  }
+
   // A field of forces. Neither it nor the other callbacks below may throw.
   Answer<void> set_force_callback(abut_force_callback field, void* context) {
     return detail::answer(abut_response_set_force_callback(get(), field, context));

@@ -2,7 +2,9 @@
 // Contact response: bodies that push each other.
 export module abut.response;
 export import :cone;
+export import :grains;
 export import :island;
+export import :jobs;
 export import :link;
 export import :mass;
 export import :motion;

@@ -44,6 +44,10 @@ class Source {
   // Poses and velocities of all parts or, where it fails, of none.
   [[nodiscard]] virtual abut_status move(std::span<const abut_part_id> parts, std::span<const abut_pose> poses,
                                          std::span<const abut_velocity> velocities) = 0;
+  // Whether the world has a geometry; false when it was destroyed.
+  [[nodiscard]] virtual bool has(abut_geometry_id geometry) const = 0;
+  // Particles of a geometry from the first one on, three numbers each, in the world.
+  [[nodiscard]] virtual abut_status move_particles(abut_geometry_id geometry, std::span<const double> xyz) = 0;
   // Moves the world along its paths through `time`, or up to the first touch of fast geometries. `fraction` is the part
   // of the time that has passed.
   [[nodiscard]] virtual abut_status advance(std::span<const abut_part_id> parts,

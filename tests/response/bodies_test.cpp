@@ -174,6 +174,27 @@ TEST(Bodies, MoveTheSameBitsEachTime) {
   EXPECT_EQ(run(), run());
 }
 
+// Islands are shared among threads, and hold the same bits whoever solves them.
+TEST(Bodies, MoveTheSameBitsForAnyNumberOfThreads) {
+  const auto run = [](std::uint32_t threads) {
+    Scene scene([&](abut_response_options& its) { its.threads = threads; });
+    scene.material(rough);
+    scene.floor();
+    for (int i = 0; i < 12; ++i) {
+      const double x = 3 * i;
+      scene.body(block(0.5, 0.5, 0.5), {{x, 0, 0.5}, no_turn}, 1 + i % 3, {{0.1 * i, 0, 0}, {0, 0, 0.2}});
+      scene.body(ball(0.5), {{x + 0.01 * i, 0, 1.5}, no_turn}, 1, {{0, 0.3, 0}, {}});
+    }
+    scene.step(1e-2, 50);
+    EXPECT_GT(scene.islands().size(), 6U);
+    std::uint64_t hash = 0;
+    require(abut_universe_hash(scene.universe(), &hash));
+    return std::pair(hash, scene.energy().kinetic);
+  };
+  const auto alone = run(1);
+  for (const std::uint32_t threads : {2U, 5U, 256U}) EXPECT_EQ(run(threads), alone) << threads;
+}
+
 struct Edits {
   std::size_t calls = 0;
   double friction = 0;

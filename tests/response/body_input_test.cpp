@@ -83,6 +83,9 @@ TEST(BodyInput, RefusesOptionsByNameAndValue) {
   using Options = abut_response_options;
   refused([](Options& its) { its.struct_size = 3; }, ABUT_WRONG_STRUCT_SIZE, {"options.struct_size", "3"});
   refused([](Options& its) { its.most_rounds = 0; }, ABUT_OUT_OF_RANGE, {"options.most_rounds", "0"});
+  refused([](Options& its) { its.solver = 2; }, ABUT_UNKNOWN_VALUE, {"options.solver", "2"});
+  refused([](Options& its) { its.threads = 0; }, ABUT_OUT_OF_RANGE, {"options.threads", "0"});
+  refused([](Options& its) { its.threads = 257; }, ABUT_OUT_OF_RANGE, {"options.threads", "257"});
   refused([](Options& its) { its.flags = 2; }, ABUT_UNKNOWN_VALUE, {"options.flags", "2"});
   refused([](Options& its) { its.reserved = 2; }, ABUT_INVALID_ARGUMENT, {"options.reserved", "2"});
   refused([](Options& its) { its.gravity.y = nan; }, ABUT_NOT_FINITE, {"options.gravity.y"});

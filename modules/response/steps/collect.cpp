@@ -51,6 +51,7 @@ abut_status Simulation::look(double dt, Pass& pass) {
   for (std::size_t i = 0; i < bodies_.size(); ++i) {
     if (const abut_status status = read(bodies_[i], pass.motions[i]); status != ABUT_OK) return status;
   }
+  read_particles(pass);
   return collect(dt, pass);
 }
 
@@ -121,13 +122,12 @@ abut_status Simulation::take_law(double dt, const Pass& pass, StepContact& conta
   for (std::size_t i = 0; i < along.size(); ++i) velocity = add(velocity, scale(plain.axes[i], along[i]));
   const abut_status status = rules_.kinds()[contact.kind].law(contact.record, velocity, dt, law, counts);
   if (status != ABUT_OK || !counts) return status;
-  const auto centre = [&](std::uint32_t side) { return side == no_body ? contact.point : pass.motions[side].centre; };
   abut_vec3 drift = law.surface_velocity;
   for (std::size_t i = 0; i < plain.axes.size(); ++i) drift = add(drift, scale(plain.axes[i], plain.drift[i]));
   contact.rows = contact_rows({.a = contact.a,
                                .b = contact.b,
-                               .arm_a = subtract(contact.point, centre(contact.a)),
-                               .arm_b = subtract(contact.point, centre(contact.b)),
+                               .arm_a = arm_of(contact.a, contact.point, pass),
+                               .arm_b = arm_of(contact.b, contact.point, pass),
                                .axes = plain.axes,
                                .frictions = {law.friction_primary, law.friction_secondary},
                                .surface_velocity = drift});
@@ -166,7 +166,6 @@ abut_status Simulation::bond(const abut_contact& record, const GeometryFacts& a,
 
 // The contacts that have a body which is awake, with their rows, and the links.
 abut_status Simulation::collect(double dt, Pass& pass) {
-  const std::vector<Motion>& motions = pass.motions;
   pass.contacts.clear();
   resting_.clear();
   std::vector<abut_contact> found;
@@ -180,8 +179,8 @@ abut_status Simulation::collect(double dt, Pass& pass) {
     Side side_a, side_b;
     abut_status status = source_->facts(record.geometry_a, facts_a);
     if (status == ABUT_OK) status = source_->facts(record.geometry_b, facts_b);
-    if (status == ABUT_OK) status = read_side(facts_a.part, contact.point, pass, side_a);
-    if (status == ABUT_OK) status = read_side(facts_b.part, contact.point, pass, side_b);
+    if (status == ABUT_OK) status = read_side(facts_a, record.child_a, contact.point, pass, side_a);
+    if (status == ABUT_OK) status = read_side(facts_b, record.child_b, contact.point, pass, side_b);
     if (status != ABUT_OK) return status;
     contact.a = side_a.body;
     contact.b = side_b.body;
@@ -211,12 +210,11 @@ abut_status Simulation::collect(double dt, Pass& pass) {
     const KeptContact* const kept = find_kept(record);
     const double grip = kept != nullptr && kept->is_sticking ? terms.material.static_scale : 1;
     const double rubs = contact.response == Response::penalty ? 0 : grip;
-    const auto centre = [&](std::uint32_t side) { return side == no_body ? contact.point : motions[side].centre; };
     contact.rows =
         contact_rows({.a = contact.a,
                       .b = contact.b,
-                      .arm_a = subtract(contact.point, centre(contact.a)),
-                      .arm_b = subtract(contact.point, centre(contact.b)),
+                      .arm_a = arm_of(contact.a, contact.point, pass),
+                      .arm_b = arm_of(contact.b, contact.point, pass),
                       .axes = {record.tangent, cross(record.normal, record.tangent), record.normal},
                       .frictions = {rubs * terms.material.friction_primary, rubs * terms.material.friction_secondary},
                       .surface_velocity = subtract(side_b.velocity, side_a.velocity)});
@@ -278,13 +276,10 @@ abut_status Simulation::collect_link(const Link& link, double dt, Pass& pass) co
   contact.a = side_a.body;
   contact.b = side_b.body;
   contact.point = scale(add(point_a, point_b), 0.5);
-  const auto arm = [&](std::uint32_t side, const abut_vec3& point) {
-    return side == no_body ? abut_vec3{} : subtract(point, pass.motions[side].centre);
-  };
   contact.rows = contact_rows({.a = contact.a,
                                .b = contact.b,
-                               .arm_a = arm(contact.a, point_a),
-                               .arm_b = arm(contact.b, point_b),
+                               .arm_a = arm_of(contact.a, point_a, pass),
+                               .arm_b = arm_of(contact.b, point_b, pass),
                                .axes = {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}},
                                .frictions = {1, 1},
                                .surface_velocity = subtract(side_b.velocity, side_a.velocity)});

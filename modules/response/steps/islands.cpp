@@ -64,6 +64,7 @@ bool Simulation::solve_island(const Island& island, double ahead, Pass& pass, ab
   told.contact_count = static_cast<std::uint32_t>(island.contacts.size());
   std::vector<std::uint32_t> solved_contacts = island.contacts;
   std::erase_if(solved_contacts, [&](std::uint32_t k) { return !contacts[k].is_solved; });
+  told.integrator = motions[island.bodies.front()].integrator;
   told.residuals.is_converged = 1;
   if (solved_contacts.empty()) return true;
   Problem problem;
@@ -111,8 +112,7 @@ bool Simulation::solve_island(const Island& island, double ahead, Pass& pass, ab
     if (!pushes(contact.impulse)) continue;
     for (const std::uint32_t side : {contact.a, contact.b}) {
       if (side == no_body) continue;
-      const bool keeps_middle = contact.compliance > 0 && motions[side].integrator == ABUT_INTEGRATOR_MIDPOINT;
-      motions[side].is_pushed = motions[side].is_pushed || !keeps_middle;
+      motions[side].is_pushed = motions[side].is_pushed || !contact.is_middle;
     }
   }
   return move_apart(island, solved_contacts, problem, pass);
@@ -163,10 +163,11 @@ bool Simulation::solve_islands(double ahead, Pass& pass) const {
   for (std::uint32_t i = 0; i < islands.size(); ++i) {
     for (const std::uint32_t k : islands[i].contacts) pass.island_of[k] = i;
   }
-  for (std::size_t i = 0; i < islands.size(); ++i) {
-    if (!solve_island(islands[i], ahead, pass, pass.islands[i])) return false;
-  }
-  return true;
+  // Islands share nothing, and each is solved by one thread, so that bits do not depend on their number.
+  std::vector<char> is_solved(islands.size());
+  share_jobs(islands.size(), options_.threads,
+             [&](std::size_t i) { is_solved[i] = solve_island(islands[i], ahead, pass, pass.islands[i]) ? 1 : 0; });
+  return std::ranges::all_of(is_solved, [](char its) { return its != 0; });
 }
 
 }  // namespace abut::response

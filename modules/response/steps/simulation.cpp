@@ -125,11 +125,13 @@ abut_status Simulation::write(double dt, const Pass& pass) {
     poses.push_back({.position = subtract(centre, arm), .orientation = orientation});
     velocities.push_back({.linear = subtract(its.linear, cross(turned.angular, arm)), .angular = turned.angular});
   }
-  return source_->move(parts, poses, velocities);
+  if (const abut_status status = source_->move(parts, poses, velocities); status != ABUT_OK) return status;
+  return write_particles(dt, pass);
 }
 
 abut_status Simulation::step(double dt) {
   std::erase_if(bodies_, [&](const Body& body) { return !source_->has(body.part); });
+  std::erase_if(particles_, [&](const Grains& its) { return !source_->has(its.geometry); });
   const auto has_ended = [&](const Anchor& anchor) { return anchor.part.slot != 0 && !source_->has(anchor.part); };
   std::erase_if(links_, [&](const Link& link) { return has_ended(link.a) || has_ended(link.b); });
   return (options_.flags & ABUT_RESPONSE_IMPACTS) != 0 ? step_by_impacts(dt) : step_at_once(dt);
@@ -163,6 +165,19 @@ abut_status Simulation::energy(abut_energy& out) const {
     sum.potential -= mass * dot(options_.gravity, its.centre);
     sum.linear_momentum = add(sum.linear_momentum, momentum);
     sum.angular_momentum = add(sum.angular_momentum, add(cross(its.centre, momentum), spin));
+  }
+  for (const Grains& particles : particles_) {
+    for (std::size_t i = 0; i < particles.masses.size(); ++i) {
+      const double mass = particles.masses[i];
+      const std::size_t first = 3 * i;
+      const abut_vec3 place{particles.xyz[first], particles.xyz[first + 1], particles.xyz[first + 2]};
+      const abut_vec3 linear{particles.velocities[first], particles.velocities[first + 1],
+                             particles.velocities[first + 2]};
+      sum.kinetic += 0.5 * mass * dot(linear, linear);
+      sum.potential -= mass * dot(options_.gravity, place);
+      sum.linear_momentum = add(sum.linear_momentum, scale(linear, mass));
+      sum.angular_momentum = add(sum.angular_momentum, scale(cross(place, linear), mass));
+    }
   }
   out = sum;
   return ABUT_OK;

@@ -19,6 +19,7 @@ export module abut.response:simulation;
 import :island;
 import :link;
 import :mass;
+import :grains;
 import :problem;
 import :rules;
 import :source;
@@ -57,6 +58,7 @@ struct StepContact {
   double slow = 0;         // approaches that are slower do not bounce
   ContactRows rows{};
   Triple impulse{}, velocity{};  // along the rows; the velocity at the end of the step
+  bool is_middle = false;        // a spring by the midpoint rule
   double given = 0;              // impulse along the normal beside that of the solver
   Triple opened{};               // the part of the drift of a link that closes its gap
   abut_vec3 creep{};             // of sticking points of the kind slide, before the step
@@ -138,6 +140,13 @@ class Simulation {
   [[nodiscard]] abut_status push(abut_part_id part, const abut_vec3& force, const std::optional<abut_vec3>& at);
   void twist(abut_part_id part, const abut_vec3& torque);
 
+  // In the place of those that the geometry has.
+  [[nodiscard]] abut_status set_particles(Grains particles);
+  [[nodiscard]] bool remove_particles(abut_geometry_id geometry);
+  [[nodiscard]] const Grains* particles_of(abut_geometry_id geometry) const;
+  [[nodiscard]] bool stops_at_impacts() const { return (options_.flags & ABUT_RESPONSE_IMPACTS) != 0; }
+  [[nodiscard]] bool has_particles() const { return !particles_.empty(); }
+
   [[nodiscard]] Rules& rules() { return rules_; }
   [[nodiscard]] const Rules& rules() const { return rules_; }
   // The rule that counts, in words.
@@ -177,6 +186,12 @@ class Simulation {
     abut_vec3 velocity{};
   };
   [[nodiscard]] abut_status read_side(abut_part_id part, const abut_vec3& point, const Pass& pass, Side& out) const;
+  [[nodiscard]] abut_status read_side(const GeometryFacts& facts, std::uint32_t child, const abut_vec3& point,
+                                      const Pass& pass, Side& out) const;
+  void read_particles(Pass& pass) const;
+  [[nodiscard]] abut_status write_particles(double dt, const Pass& pass);
+  // From its centre of mass to a point; particles do not turn.
+  [[nodiscard]] abut_vec3 arm_of(std::uint32_t body, const abut_vec3& point, const Pass& pass) const;
   [[nodiscard]] abut_status read_terms(const abut_contact& record, const GeometryFacts& a, const GeometryFacts& b,
                                        StepContact& contact, Terms& terms, bool& counts) const;
   [[nodiscard]] abut_status take_law(double dt, const Pass& pass, StepContact& contact, bool& counts) const;
@@ -225,7 +240,8 @@ class Simulation {
   Field field_;
   Rules rules_;
   double time_ = 0;
-  std::vector<Body> bodies_;       // in the order of their parts
+  std::vector<Body> bodies_;  // in the order of their parts
+  std::vector<Grains> particles_;
   std::vector<KeptContact> kept_;  // in their order
   std::vector<Link> links_;        // in the order of their numbers
   std::uint64_t next_link_ = 1;

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: Apache-2.0
+// Grains as bodies: they come behind all others, and turn neither by contacts nor by themselves.
+module;
+
+#include <abut/response.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+module abut.response;
+
+namespace abut::response {
+
+namespace {
+
+[[nodiscard]] bool is_same(const abut_geometry_id& a, const abut_geometry_id& b) {
+  return a.slot == b.slot && a.generation == b.generation;
+}
+[[nodiscard]] abut_vec3 vector_at(const std::vector<double>& numbers, std::size_t i) {
+  return {numbers[3 * i], numbers[3 * i + 1], numbers[3 * i + 2]};
+}
+void set_vector_at(std::vector<double>& numbers, std::size_t i, const abut_vec3& v) {
+  numbers[3 * i] = v.x;
+  numbers[3 * i + 1] = v.y;
+  numbers[3 * i + 2] = v.z;
+}
+
+}  // namespace
+
+abut_status Simulation::set_particles(Grains particles) {
+  particles_.reserve(particles_.size() + 1);
+  const abut_status status = source_->move_particles(particles.geometry, particles.xyz);
+  if (status != ABUT_OK) return status;
+  const auto old =
+      std::ranges::find_if(particles_, [&](const Grains& its) { return is_same(its.geometry, particles.geometry); });
+  if (old != particles_.end()) {
+    *old = std::move(particles);
+  } else {
+    particles_.push_back(std::move(particles));
+  }
+  return ABUT_OK;
+}
+
+bool Simulation::remove_particles(abut_geometry_id geometry) {
+  return std::erase_if(particles_, [&](const Grains& its) { return is_same(its.geometry, geometry); }) > 0;
+}
+
+const Grains* Simulation::particles_of(abut_geometry_id geometry) const {
+  const auto found =
+      std::ranges::find_if(particles_, [&](const Grains& its) { return is_same(its.geometry, geometry); });
+  return found == particles_.end() ? nullptr : &*found;
+}
+
+void Simulation::read_particles(Pass& pass) const {
+  for (const Grains& particles : particles_) {
+    for (std::size_t i = 0; i < particles.masses.size(); ++i) {
+      Motion its;
+      its.mass = particles.masses[i];
+      // No impulse has a moment about a particle, so any inertia will do.
+      its.inertia = {its.mass, 0, 0, 0, its.mass, 0, 0, 0, its.mass};
+      its.orientation = {1, 0, 0, 0};
+      its.centre = vector_at(particles.xyz, i);
+      its.linear = its.linear_before = vector_at(particles.velocities, i);
+      its.is_awake = its.mass > 0;
+      pass.motions.push_back(its);
+    }
+  }
+}
+
+abut_status Simulation::read_side(const GeometryFacts& facts, std::uint32_t child, const abut_vec3& point,
+                                  const Pass& pass, Side& out) const {
+  std::size_t first = bodies_.size();
+  for (const Grains& particles : particles_) {
+    if (is_same(particles.geometry, facts.geometry)) {
+      if (child >= particles.masses.size() || !(particles.masses[child] > 0)) return ABUT_OK;
+      out.body = static_cast<std::uint32_t>(first + child);
+      return ABUT_OK;
+    }
+    first += particles.masses.size();
+  }
+  return read_side(facts.part, point, pass, out);
+}
+
+abut_vec3 Simulation::arm_of(std::uint32_t body, const abut_vec3& point, const Pass& pass) const {
+  return body < bodies_.size() ? subtract(point, pass.motions[body].centre) : abut_vec3{};
+}
+
+abut_status Simulation::write_particles(double dt, const Pass& pass) {
+  std::size_t place = bodies_.size();
+  for (Grains& particles : particles_) {
+    std::vector<double> xyz = particles.xyz;
+    for (std::size_t i = 0; i < particles.masses.size(); ++i) {
+      const Motion& its = pass.motions[place + i];
+      if (!its.is_awake) continue;
+      const abut_vec3 mean = its.is_pushed ? its.linear : scale(add(its.linear_before, its.linear), 0.5);
+      set_vector_at(xyz, i, add(add(its.centre, scale(mean, dt)), its.shift));
+    }
+    const abut_status status = source_->move_particles(particles.geometry, xyz);
+    if (status != ABUT_OK) return status;
+    particles.xyz = std::move(xyz);
+    for (std::size_t i = 0; i < particles.masses.size(); ++i) {
+      if (pass.motions[place + i].is_awake) set_vector_at(particles.velocities, i, pass.motions[place + i].linear);
+    }
+    place += particles.masses.size();
+  }
+  return ABUT_OK;
+}
+
+}  // namespace abut::response
