@@ -16,6 +16,7 @@
 #include <new>
 #include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "defaults.hpp"
@@ -256,6 +257,10 @@ abut_status abut_response_step(abut_response* response, double dt) {
     if (checked != ABUT_OK) return checked;
     if (its.simulation.has_particles() && its.simulation.stops_at_impacts())
       return refuse(ABUT_UNSUPPORTED, "particles go without ABUT_RESPONSE_IMPACTS");
+    if (const abut::response::Kind* const kind = its.simulation.rules().without_law(); kind != nullptr) {
+      const std::string message = "kind " + kind->name + " has no function yet; abut_response_add_kind gives it one";
+      return refuse(ABUT_INVALID_ARGUMENT, message.c_str());
+    }
     const Stepping stepping(its);
     const abut_status status = its.simulation.step(dt);
     if (status == ABUT_OK && its.listener != nullptr) {

@@ -51,7 +51,13 @@ abut_status ResponseSource::facts(abut_geometry_id geometry, response::GeometryF
   abut_geometry_info_init(&info, sizeof info);
   const abut_status status = abut_geometry_describe(universe_.get(), geometry, &info);
   if (status == ABUT_OK)
-    out = {.geometry = geometry, .part = info.part, .label = info.label, .tag = info.tag, .material = info.material};
+    out = {.geometry = geometry,
+           .part = info.part,
+           .label = info.label,
+           .tag = info.tag,
+           .material = info.material,
+           .flags = info.flags,
+           .tolerance = info.tolerance};
   return status;
 }
 
@@ -75,6 +81,34 @@ bool ResponseSource::has(abut_geometry_id geometry) const {
   const bool has_it = facts(geometry, ignored) == ABUT_OK;
   if (!has_it) abut_set_last_error(ABUT_OK, message.c_str());
   return has_it;
+}
+
+abut_status ResponseSource::geometries_of(abut_part_id part, std::vector<response::GeometryFacts>& out) const {
+  std::size_t count = 0;
+  abut_status status = abut_part_geometries(universe_.get(), part, nullptr, 0, &count);
+  std::vector<abut_geometry_id> all(count);
+  if (status == ABUT_OK) status = abut_part_geometries(universe_.get(), part, all.data(), count, &count);
+  out.clear();
+  for (const abut_geometry_id geometry : all) {
+    if (status == ABUT_OK) status = facts(geometry, out.emplace_back());
+  }
+  return status;
+}
+
+abut_status ResponseSource::is_dynamic(abut_part_id part, bool& out) const {
+  abut_motion motion = 0;
+  const abut_status status = abut_part_motion(universe_.get(), part, &motion);
+  out = motion == ABUT_MOTION_DYNAMIC;
+  return status;
+}
+
+abut_status ResponseSource::has_margin(bool& out) const {
+  std::size_t needed = 0;
+  abut_status status = abut_universe_explain_json(universe_.get(), nullptr, 0, &needed);
+  std::string plan(needed, ' ');
+  if (status == ABUT_OK) status = abut_universe_explain_json(universe_.get(), plan.data(), plan.size(), &needed);
+  out = plan.find("\"dead_band\"") == std::string::npos;
+  return status;
 }
 
 abut_status ResponseSource::move_particles(abut_geometry_id geometry, std::span<const double> xyz) {

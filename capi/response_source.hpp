@@ -37,6 +37,9 @@ class ResponseSource final : public response::Source {
   [[nodiscard]] abut_status material(std::uint32_t a, std::uint32_t b, abut_contact_material& out) const override;
   [[nodiscard]] bool has(abut_part_id part) const override;
   [[nodiscard]] bool has(abut_geometry_id geometry) const override;
+  [[nodiscard]] abut_status geometries_of(abut_part_id part, std::vector<response::GeometryFacts>& out) const override;
+  [[nodiscard]] abut_status is_dynamic(abut_part_id part, bool& out) const override;
+  [[nodiscard]] abut_status has_margin(bool& out) const override;
   [[nodiscard]] abut_status move_particles(abut_geometry_id geometry, std::span<const double> xyz) override;
   [[nodiscard]] abut_status is_awake(abut_part_id part, bool& out) const override;
   [[nodiscard]] abut_status pose(abut_part_id part, abut_pose& out) const override;

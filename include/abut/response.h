@@ -539,6 +539,78 @@ typedef struct abut_energy {
 /** Energy and momentum of all bodies. O(bodies). [const] */
 ABUT_API abut_status abut_response_energy(const abut_response *response, abut_energy *out);
 
+/* ------------------------------------------------------------------------------------------------
+ * Telling, and bytes
+ * --------------------------------------------------------------------------------------------- */
+
+/** What will surprise whoever built a response. */
+typedef uint32_t abut_response_finding_code;
+enum abut_response_finding_code_value ABUT_ENUM(uint32_t) {
+  ABUT_RESPONSE_FINDING_DEAD_BAND = 0,       /**< the universe has ABUT_TOLERANCE_DEAD_BAND: what rests trembles */
+  ABUT_RESPONSE_FINDING_NO_TOLERANCE = 1,    /**< a geometry of a body has the tolerance 0: contacts come too late */
+  ABUT_RESPONSE_FINDING_NOT_DYNAMIC = 2,     /**< the part of a body is not dynamic: it stands still */
+  ABUT_RESPONSE_FINDING_ASLEEP = 3,          /**< a part has a velocity, and sleeps: no velocity wakes it */
+  ABUT_RESPONSE_FINDING_NOT_FAST = 4,        /**< ABUT_RESPONSE_IMPACTS, and a geometry of a body is not fast */
+  ABUT_RESPONSE_FINDING_SPECULATIVE = 5,     /**< ABUT_RESPONSE_IMPACTS, and a geometry of a body is speculative */
+  ABUT_RESPONSE_FINDING_NO_IMPACTS = 6,      /**< a rule has a restitution that no step uses */
+  ABUT_RESPONSE_FINDING_NO_STIFFNESS = 7,    /**< a rule has the kind penalty without k: it is rigid unless materials
+                                                  are not */
+  ABUT_RESPONSE_FINDING_UNUSED = 8,          /**< a rule gives a parameter that its kind does not read */
+  ABUT_RESPONSE_FINDING_UNREACHABLE = 9,     /**< a rule comes after one that fits everything */
+  ABUT_RESPONSE_FINDING_GONE = 10,           /**< a rule names a geometry or a part that has been destroyed */
+  ABUT_RESPONSE_FINDING_SLOW_SWEEPS = 11,    /**< sweeps, and masses that differ by more than 1,000 */
+  ABUT_RESPONSE_FINDING_NO_FUNCTION = 12     /**< a kind of yours came from bytes, and has no function yet */
+};
+
+typedef struct abut_response_finding {
+  abut_response_finding_code code;
+  uint32_t rule;             /**< where one is meant */
+  abut_part_id part;         /**< null where none is meant */
+  abut_geometry_id geometry; /**< null where none is meant */
+  char message[168];         /**< for people; terminated, cut to what fits */
+} abut_response_finding;
+
+/**
+ * Looks for what is odd, by count-then-fill; ordered by code, rule and slots. An empty answer means that nothing was found. The first
+ * call makes the universe measure times, as abut_universe_explain does.
+ * Complexity O(geometries of bodies + rules). [const]
+ */
+ABUT_API abut_status abut_response_validate(const abut_response *response, abut_response_finding *findings,
+                                            size_t capacity, size_t *count);
+
+/**
+ * What steps do and how well the last one was solved, in words: options, bodies by integrator, rules, links, and each
+ * island with rounds and residuals.
+ * @param text      capacity bytes, always terminated when capacity > 0; null with capacity 0 asks for the size
+ * @param needed    bytes of the whole text with its terminator
+ * [const]
+ */
+ABUT_API abut_status abut_response_explain(const abut_response *response, char *text, size_t capacity, size_t *needed);
+
+/** The same as JSON; docs/response.md lists the fields. [const] */
+ABUT_API abut_status abut_response_explain_json(const abut_response *response, char *text, size_t capacity,
+                                                size_t *needed);
+
+/**
+ * A response as bytes, by count-then-fill: options, bodies, particles, rules, variables, kinds by name, links, and what
+ * the next step begins with. Callbacks are not in them; contacts and islands of the last step neither. The bytes begin
+ * with a mark, a version and a checksum, and are the same on every machine.
+ * @param bytes     capacity bytes; null with capacity 0 asks for the size
+ * @param size      receives the number of bytes; nothing is written when they do not all fit
+ * [const]
+ */
+ABUT_API abut_status abut_response_save(const abut_response *response, void *bytes, size_t capacity, size_t *size);
+
+/**
+ * Makes a response of bytes on a universe with the same ids, such as one of abut_universe_load. Steps then give the same
+ * bits. Kinds of the caller get their functions by abut_response_add_kind, under their names; until then steps are
+ * refused. ABUT_INVALID_ARGUMENT for bytes that are no response, or damaged. [exclusive]
+ */
+ABUT_API abut_status abut_response_load(abut_universe *universe, const void *bytes, size_t size, abut_response **out);
+
+/** Hash of the bytes of abut_response_save: with abut_universe_hash, equal runs have equal hashes. [const] */
+ABUT_API abut_status abut_response_hash(const abut_response *response, uint64_t *out);
+
 #ifdef __cplusplus
 } /* extern "C" */
 #endif

@@ -26,6 +26,7 @@ using ResponseIsland = abut_response_island;
 using Energy = abut_energy;
 using ResponseObject = abut_response_object;
 using ResponseSide = abut_response_side;
+using ResponseFinding = abut_response_finding;
 using ContactLaw = abut_contact_law;
 
 // Two bodies that touch, or a body and what no impulse moves. The fields are those of abut_contact_problem.
@@ -174,6 +175,38 @@ class Response {
   explicit Response(Universe& universe, const ResponseOptions& options = ResponseOptions())
       : Response(create(universe, options)) {}
 #endif
+
+  // Of the bytes of another one, on a universe with the same ids.
+  [[nodiscard]] static Answer<Response> load(Universe& universe, Span<const std::uint8_t> bytes) {
+    abut_response* out = nullptr;
+    const abut_status status = abut_response_load(universe.get(), bytes.data(), bytes.size(), &out);
+    return detail::answer_with(status, [&] { return Response(out); });
+  }
+  [[nodiscard]] Answer<std::vector<std::uint8_t>> save() const {
+    return detail::collect<std::uint8_t>([this](std::uint8_t* data, std::size_t capacity, std::size_t* size) {
+      return abut_response_save(get(), data, capacity, size);
+    });
+  }
+  [[nodiscard]] Answer<std::uint64_t> hash() const {
+    std::uint64_t out = 0;
+    return detail::answer(abut_response_hash(get(), &out), out);
+  }
+  [[nodiscard]] Answer<std::string> explain() const {
+    return detail::collect_text([this](char* text, std::size_t capacity, std::size_t* needed) {
+      return abut_response_explain(get(), text, capacity, needed);
+    });
+  }
+  [[nodiscard]] Answer<std::string> explain_json() const {
+    return detail::collect_text([this](char* text, std::size_t capacity, std::size_t* needed) {
+      return abut_response_explain_json(get(), text, capacity, needed);
+    });
+  }
+  // What is odd; empty where nothing is.
+  [[nodiscard]] Answer<std::vector<ResponseFinding>> validate() const {
+    return detail::collect<ResponseFinding>([this](ResponseFinding* data, std::size_t capacity, std::size_t* count) {
+      return abut_response_validate(get(), data, capacity, count);
+    });
+  }
 
   [[nodiscard]] abut_response* get() const noexcept { return handle_.get(); }
 

@@ -18,6 +18,8 @@ struct GeometryFacts {
   abut_geometry_id geometry{};
   abut_part_id part{};
   std::uint32_t label = 0, tag = 0, material = 0;
+  abut_geometry_flags flags = 0;
+  double tolerance = 0;
 };
 
 class Source {
@@ -48,6 +50,10 @@ class Source {
   [[nodiscard]] virtual bool has(abut_geometry_id geometry) const = 0;
   // Particles of a geometry from the first one on, three numbers each, in the world.
   [[nodiscard]] virtual abut_status move_particles(abut_geometry_id geometry, std::span<const double> xyz) = 0;
+  [[nodiscard]] virtual abut_status geometries_of(abut_part_id part, std::vector<GeometryFacts>& out) const = 0;
+  [[nodiscard]] virtual abut_status is_dynamic(abut_part_id part, bool& out) const = 0;
+  // Whether contacts begin before surfaces touch.
+  [[nodiscard]] virtual abut_status has_margin(bool& out) const = 0;
   // Moves the world along its paths through `time`, or up to the first touch of fast geometries. `fraction` is the part
   // of the time that has passed.
   [[nodiscard]] virtual abut_status advance(std::span<const abut_part_id> parts,

@@ -40,7 +40,7 @@ LAYERS = [
     ("scene",),
     ("detect", "queries", "report"),
     ("universe",),
-    ("picking", "response", "response/bodies", "response/manager", "response/solver", "response/steps", "gpu"),
+    ("picking", "response", "response/bodies", "response/manager", "response/report", "response/solver", "response/steps", "gpu"),
 ]
 RANKS = {folder: rank for rank, folders in enumerate(LAYERS) for folder in folders}
 

@@ -87,6 +87,10 @@ void Parameters::apply(Terms& terms) const {
   for (const auto& [place, value] : given_) names.at(place).set(terms, value);
 }
 
+bool Parameters::has(std::string_view name) const {
+  return std::ranges::any_of(given_, [&](const auto& its) { return names.at(its.first).name == name; });
+}
+
 std::string Parameters::text() const {
   std::string out;
   for (const auto& [place, value] : given_) {

@@ -46,10 +46,20 @@ Rules::Rules()
 std::optional<Refusal> Rules::add_kind(std::string_view name, CustomLaw law) {
   if (name.empty() || name.size() > longest_name)
     return refusal(ABUT_INVALID_ARGUMENT, "name", name, "it must have 1 to 63 bytes");
-  if (std::ranges::find(kinds_, name, &Kind::name) != kinds_.end())
-    return refusal(ABUT_INVALID_ARGUMENT, "name", name, "there is a kind of that name");
+  if (const auto known = std::ranges::find(kinds_, name, &Kind::name); known != kinds_.end()) {
+    if (known->response != Response::custom || known->law)
+      return refusal(ABUT_INVALID_ARGUMENT, "name", name, "there is a kind of that name");
+    known->law = std::move(law);
+    return std::nullopt;
+  }
   kinds_.push_back({std::string(name), Response::custom, std::move(law)});
   return std::nullopt;
+}
+
+const Kind* Rules::without_law() const {
+  const auto found =
+      std::ranges::find_if(kinds_, [](const Kind& kind) { return kind.response == Response::custom && !kind.law; });
+  return found == kinds_.end() ? nullptr : &*found;
 }
 
 std::optional<Refusal> Rules::replaced(std::string_view text, std::string& out) const {
@@ -103,6 +113,22 @@ std::optional<Refusal> Rules::set_geometry(abut_geometry_id geometry, std::strin
   if (std::optional<Refusal> refused = read(kind, parameters, own.kind, own.parameters)) return refused;
   own_.insert_or_assign(key_of(geometry), std::move(own));
   return std::nullopt;
+}
+
+bool Rules::restore(const abut_response_side& a, const abut_response_side& b, std::uint32_t kind,
+                    std::string_view text) {
+  Rule rule{.a = a, .b = b, .kind = kind, .parameters = {}};
+  if (kind >= kinds_.size() || rule.parameters.read(text)) return false;
+  if (a.kind > ABUT_RESPONSE_SIDE_MATERIAL || b.kind > ABUT_RESPONSE_SIDE_MATERIAL) return false;
+  rules_.push_back(std::move(rule));
+  return true;
+}
+
+bool Rules::restore(abut_geometry_id geometry, std::uint32_t kind, std::string_view text) {
+  Own own{.kind = kind, .parameters = {}};
+  if (kind >= kinds_.size() || own.parameters.read(text)) return false;
+  own_.insert_or_assign(key_of(geometry), std::move(own));
+  return true;
 }
 
 Choice Rules::choose(const GeometryFacts& a, const GeometryFacts& b) const {

@@ -55,6 +55,8 @@ class Parameters {
   // Of a text such as "mu=0.5&k=1e4".
   [[nodiscard]] std::optional<Refusal> read(std::string_view text);
   void apply(Terms& terms) const;
+  // Whether a number of that name is given.
+  [[nodiscard]] bool has(std::string_view name) const;
   [[nodiscard]] std::string text() const;
 
  private:
@@ -73,7 +75,10 @@ class Rules {
   Rules();
 
   [[nodiscard]] const std::vector<Kind>& kinds() const { return kinds_; }
+  // A kind that came without its law gets it.
   [[nodiscard]] std::optional<Refusal> add_kind(std::string_view name, CustomLaw law);
+  // The first kind of the caller that lacks its law.
+  [[nodiscard]] const Kind* without_law() const;
   [[nodiscard]] std::optional<Refusal> add(const abut_response_side& a, const abut_response_side& b,
                                            std::string_view kind, std::string_view parameters, std::uint32_t& number);
   [[nodiscard]] std::optional<Refusal> set_parameters(std::uint32_t rule, std::string_view parameters);
@@ -86,6 +91,12 @@ class Rules {
   // Of geometries that touch; materials are those of their children. O(rules).
   [[nodiscard]] Choice choose(const GeometryFacts& a, const GeometryFacts& b) const;
   [[nodiscard]] std::string explain(const Choice& choice, const Terms& terms) const;
+
+  // Of bytes: whether such a rule, or such a kind of a geometry, may be. Kinds are numbers; the text holds no
+  // variables.
+  [[nodiscard]] bool restore(const abut_response_side& a, const abut_response_side& b, std::uint32_t kind,
+                             std::string_view text);
+  [[nodiscard]] bool restore(abut_geometry_id geometry, std::uint32_t kind, std::string_view text);
 
   struct Rule {
     abut_response_side a, b;

@@ -31,31 +31,30 @@ void set_vector_at(std::vector<double>& numbers, std::size_t i, const abut_vec3&
 }  // namespace
 
 abut_status Simulation::set_particles(Grains particles) {
-  particles_.reserve(particles_.size() + 1);
+  grains_.reserve(grains_.size() + 1);
   const abut_status status = source_->move_particles(particles.geometry, particles.xyz);
   if (status != ABUT_OK) return status;
   const auto old =
-      std::ranges::find_if(particles_, [&](const Grains& its) { return is_same(its.geometry, particles.geometry); });
-  if (old != particles_.end()) {
+      std::ranges::find_if(grains_, [&](const Grains& its) { return is_same(its.geometry, particles.geometry); });
+  if (old != grains_.end()) {
     *old = std::move(particles);
   } else {
-    particles_.push_back(std::move(particles));
+    grains_.push_back(std::move(particles));
   }
   return ABUT_OK;
 }
 
 bool Simulation::remove_particles(abut_geometry_id geometry) {
-  return std::erase_if(particles_, [&](const Grains& its) { return is_same(its.geometry, geometry); }) > 0;
+  return std::erase_if(grains_, [&](const Grains& its) { return is_same(its.geometry, geometry); }) > 0;
 }
 
 const Grains* Simulation::particles_of(abut_geometry_id geometry) const {
-  const auto found =
-      std::ranges::find_if(particles_, [&](const Grains& its) { return is_same(its.geometry, geometry); });
-  return found == particles_.end() ? nullptr : &*found;
+  const auto found = std::ranges::find_if(grains_, [&](const Grains& its) { return is_same(its.geometry, geometry); });
+  return found == grains_.end() ? nullptr : &*found;
 }
 
 void Simulation::read_particles(Pass& pass) const {
-  for (const Grains& particles : particles_) {
+  for (const Grains& particles : grains_) {
     for (std::size_t i = 0; i < particles.masses.size(); ++i) {
       Motion its;
       its.mass = particles.masses[i];
@@ -73,7 +72,7 @@ void Simulation::read_particles(Pass& pass) const {
 abut_status Simulation::read_side(const GeometryFacts& facts, std::uint32_t child, const abut_vec3& point,
                                   const Pass& pass, Side& out) const {
   std::size_t first = bodies_.size();
-  for (const Grains& particles : particles_) {
+  for (const Grains& particles : grains_) {
     if (is_same(particles.geometry, facts.geometry)) {
       if (child >= particles.masses.size() || !(particles.masses[child] > 0)) return ABUT_OK;
       out.body = static_cast<std::uint32_t>(first + child);
@@ -90,7 +89,7 @@ abut_vec3 Simulation::arm_of(std::uint32_t body, const abut_vec3& point, const P
 
 abut_status Simulation::write_particles(double dt, const Pass& pass) {
   std::size_t place = bodies_.size();
-  for (Grains& particles : particles_) {
+  for (Grains& particles : grains_) {
     std::vector<double> xyz = particles.xyz;
     for (std::size_t i = 0; i < particles.masses.size(); ++i) {
       const Motion& its = pass.motions[place + i];

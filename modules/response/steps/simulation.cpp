@@ -131,7 +131,7 @@ abut_status Simulation::write(double dt, const Pass& pass) {
 
 abut_status Simulation::step(double dt) {
   std::erase_if(bodies_, [&](const Body& body) { return !source_->has(body.part); });
-  std::erase_if(particles_, [&](const Grains& its) { return !source_->has(its.geometry); });
+  std::erase_if(grains_, [&](const Grains& its) { return !source_->has(its.geometry); });
   const auto has_ended = [&](const Anchor& anchor) { return anchor.part.slot != 0 && !source_->has(anchor.part); };
   std::erase_if(links_, [&](const Link& link) { return has_ended(link.a) || has_ended(link.b); });
   return (options_.flags & ABUT_RESPONSE_IMPACTS) != 0 ? step_by_impacts(dt) : step_at_once(dt);
@@ -166,7 +166,7 @@ abut_status Simulation::energy(abut_energy& out) const {
     sum.linear_momentum = add(sum.linear_momentum, momentum);
     sum.angular_momentum = add(sum.angular_momentum, add(cross(its.centre, momentum), spin));
   }
-  for (const Grains& particles : particles_) {
+  for (const Grains& particles : grains_) {
     for (std::size_t i = 0; i < particles.masses.size(); ++i) {
       const double mass = particles.masses[i];
       const std::size_t first = 3 * i;

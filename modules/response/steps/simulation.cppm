@@ -115,6 +115,8 @@ struct Pass {
 
 export namespace abut::response {
 
+[[nodiscard]] std::uint64_t hash_of(std::span<const std::byte> bytes);
+
 class Simulation {
  public:
   explicit Simulation(std::unique_ptr<Source> source) : source_(std::move(source)) {}
@@ -145,7 +147,7 @@ class Simulation {
   [[nodiscard]] bool remove_particles(abut_geometry_id geometry);
   [[nodiscard]] const Grains* particles_of(abut_geometry_id geometry) const;
   [[nodiscard]] bool stops_at_impacts() const { return (options_.flags & ABUT_RESPONSE_IMPACTS) != 0; }
-  [[nodiscard]] bool has_particles() const { return !particles_.empty(); }
+  [[nodiscard]] bool has_particles() const { return !grains_.empty(); }
 
   [[nodiscard]] Rules& rules() { return rules_; }
   [[nodiscard]] const Rules& rules() const { return rules_; }
@@ -170,7 +172,22 @@ class Simulation {
   // Of all bodies as they are now.
   [[nodiscard]] abut_status energy(abut_energy& out) const;
 
+  // What is odd, by code.
+  [[nodiscard]] abut_status validate(std::vector<abut_response_finding>& out) const;
+  [[nodiscard]] std::string explain() const;
+  [[nodiscard]] std::string explain_json() const;
+  [[nodiscard]] std::vector<std::byte> save() const;
+  // Whether the bytes are those of a response; else nothing has changed but this one, which is of no use then.
+  [[nodiscard]] bool load(std::span<const std::byte> bytes);
+  [[nodiscard]] const abut_response_options& options() const { return options_; }
+  [[nodiscard]] std::vector<abut_part_id> parts() const;
+
  private:
+  [[nodiscard]] abut_status find_in_bodies(std::vector<abut_response_finding>& out) const;
+  void find_in_rules(std::vector<abut_response_finding>& out) const;
+  // The one list of what bytes hold, for writing and for reading.
+  template <class Archive, class Self>
+  static void exchange(Archive& archive, Self& its);
   using Pair = std::pair<abut_geometry_id, abut_geometry_id>;
 
   [[nodiscard]] Body* find(abut_part_id part);
@@ -241,7 +258,7 @@ class Simulation {
   Rules rules_;
   double time_ = 0;
   std::vector<Body> bodies_;  // in the order of their parts
-  std::vector<Grains> particles_;
+  std::vector<Grains> grains_;
   std::vector<KeptContact> kept_;  // in their order
   std::vector<Link> links_;        // in the order of their numbers
   std::uint64_t next_link_ = 1;
