@@ -33,6 +33,7 @@ LAYERS = [
     ("narrow/many", "narrow/cast"),
     ("narrow/overlap",),
     ("pairs", "deforming"),
+    ("elements",),
     ("pairs/rows",),
     ("pairs/registry",),
     ("pairs/any_shape",),
