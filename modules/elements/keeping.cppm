@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which closest features of a vertex count. Faces around an edge or a vertex name that feature more than once, and
-// faces further away name their borders although a nearer face covers these.
+// Selects the closest features of a vertex that become contacts. All faces around an edge or a vertex have that feature
+// as the closest one. A face further away has a closest feature on its border, although a nearer face covers that
+// border.
 export module abut.elements.keeping;
 import abut.core.standard;
 import abut.math;
@@ -27,9 +28,8 @@ struct FaceStencil {
 // A feature counts where all given faces around it name it: the vertex is in its Voronoi region. Of two features that
 // share a vertex and whose closest points lie within `same` of each other, the first one counts.
 //
-// Nothing is lost by rounding. A face that names another feature than one of its edges or corners has it at no greater
-// distance, bit for bit, and before it in the order. So each feature that does not count leads to one that does: the
-// nearest feature always counts.
+// Rounding loses nothing. The feature that a face names comes before all other edges and corners of this face in the
+// order, bit for bit. So each feature that does not count leads to a nearer one that does, and the nearest one counts.
 //
 // `triangles`: the corners of faces. For n faces n * n comparisons.
 [[nodiscard]] std::size_t keep_closest(std::span<FaceStencil> of_vertex, std::span<const std::uint32_t> triangles,

@@ -125,25 +125,25 @@ void ElementPairs::grow() {
   pairs_.resize(std::max(first_size, 2 * pairs_.size()));
 }
 
-std::vector<NodePair> cut_own_pairs(const ElementTree& tree, std::size_t least) {
-  if (tree.is_empty()) {
-    return {};
+std::span<const NodePair> OwnPairs::cut(const ElementTree& tree, std::size_t least) {
+  pairs_.clear();
+  if (!tree.is_empty()) {
+    pairs_.push_back({0, 0});
   }
-  std::vector<NodePair> pairs{{0, 0}};
-  for (bool can_grow = true; can_grow && pairs.size() < least;) {
+  for (bool can_grow = !pairs_.empty(); can_grow && pairs_.size() < least;) {
     can_grow = false;
-    std::vector<NodePair> next;
-    for (const NodePair pair : pairs) {
+    next_.clear();
+    for (const NodePair pair : pairs_) {
       if (are_leaves(pair)) {
-        next.push_back(pair);
+        next_.push_back(pair);
       } else {
         can_grow = true;
-        open(tree, pair, [&](NodePair child) { next.push_back(child); });
+        open(tree, pair, [&](NodePair child) { next_.push_back(child); });
       }
     }
-    pairs = std::move(next);
+    pairs_.swap(next_);
   }
-  return pairs;
+  return pairs_;
 }
 
 void append_candidates(const ElementTree& tree, NodePair nodes, Candidates& out) {

@@ -34,7 +34,8 @@ class ElementPairs {
   std::size_t size_ = 0;
 };
 
-struct Candidates {
+// Lists of different tasks share no line of the cache.
+struct alignas(64) Candidates {
   ElementPairs vertices_and_faces;  // the vertex first
   ElementPairs edges;
 
@@ -50,10 +51,16 @@ struct NodePair {
 };
 
 // The pairs of elements of a tree, as pairs of nodes: at least `least` of them where the tree has so many. They follow
-// from the tree alone.
-[[nodiscard]] std::vector<NodePair> cut_own_pairs(const ElementTree& tree, std::size_t least);
+// from the tree alone, whatever the number of threads. The lists keep their memory.
+class OwnPairs {
+ public:
+  [[nodiscard]] std::span<const NodePair> cut(const ElementTree& tree, std::size_t least) [[clang::lifetimebound]];
 
-// Appends the pairs of elements below a pair of nodes. Each pair occurs once for all pairs of nodes of cut_own_pairs.
+ private:
+  std::vector<NodePair> pairs_, next_;
+};
+
+// Appends the pairs of elements below a pair of nodes. Each pair occurs once for all pairs of nodes of OwnPairs.
 void append_candidates(const ElementTree& tree, NodePair nodes, Candidates& out);
 
 }  // namespace abut

@@ -37,6 +37,26 @@ ElementTable::ElementTable(std::size_t vertex_count, std::span<const std::uint32
     }
   }
   number_edges(triangles);
+  list_edges_around(vertex_count);
+}
+
+void ElementTable::list_edges_around(std::size_t vertex_count) {
+  first_around_vertex_.assign(vertex_count + 1, 0);
+  for (const EdgeEnds& ends : edges_) {
+    ++first_around_vertex_[ends[0]];
+    ++first_around_vertex_[ends[1]];
+  }
+  std::uint32_t sum = 0;
+  for (std::uint32_t& first : first_around_vertex_) {
+    first = sum += first;
+  }
+  edges_around_.resize(sum);
+  // From the back, so that each list is in order and each end becomes a beginning.
+  for (std::size_t edge = edges_.size(); edge-- > 0;) {
+    for (const std::uint32_t end : edges_[edge]) {
+      edges_around_[--first_around_vertex_[end]] = static_cast<std::uint32_t>(edge);
+    }
+  }
 }
 
 void ElementTable::number_edges(std::span<const std::uint32_t> triangles) {
@@ -57,8 +77,12 @@ void ElementTable::number_edges(std::span<const std::uint32_t> triangles) {
     for (; end < placed.size() && placed[end].ends == ends; ++end) {
       const std::size_t triangle = placed[end].place / 3;
       edges_of_[triangle][placed[end].place % 3] = static_cast<std::uint32_t>(edges_.size());
-      faces += is_face(static_cast<std::uint32_t>(triangle)) ? 1 : 0;
+      if (is_face(static_cast<std::uint32_t>(triangle))) {
+        ++faces;
+        corners_across_.push_back(triangles[3 * triangle + (placed[end].place + 2) % 3]);
+      }
     }
+    first_across_edge_.push_back(static_cast<std::uint32_t>(corners_across_.size()));
     flags_[placed[begin].place / 3] |= bit(first_edge_bit + placed[begin].place % 3);
     for (std::size_t i = begin; i < end && faces < 2; ++i) {
       flags_[placed[i].place / 3] |= bit(first_border_bit + placed[i].place % 3);

@@ -28,6 +28,15 @@ class ElementTable {
   // The number of the edge between two vertices, or none.
   [[nodiscard]] std::uint32_t edge_between(std::uint32_t a, std::uint32_t b) const;
 
+  // The edges of a vertex, in order.
+  [[nodiscard]] std::span<const std::uint32_t> edges_around(std::uint32_t vertex) const [[clang::lifetimebound]] {
+    return part(edges_around_, first_around_vertex_, vertex);
+  }
+  // The corner across from an edge, for each face of the edge.
+  [[nodiscard]] std::span<const std::uint32_t> corners_across(std::uint32_t edge) const [[clang::lifetimebound]] {
+    return part(corners_across_, first_across_edge_, edge);
+  }
+
   // The lowest triangle of each vertex and edge is its owner.
   [[nodiscard]] bool owns_corner(std::uint32_t triangle, std::size_t corner) const {
     return (flags_[triangle] >> corner & 1u) != 0;
@@ -44,16 +53,27 @@ class ElementTable {
 
   [[nodiscard]] std::size_t bytes() const {
     return edges_.capacity() * sizeof(EdgeEnds) + edges_of_.capacity() * sizeof(std::array<std::uint32_t, 3>) +
-           flags_.capacity() * sizeof(std::uint16_t);
+           flags_.capacity() * sizeof(std::uint16_t) +
+           (edges_around_.capacity() + first_around_vertex_.capacity() + corners_across_.capacity() +
+            first_across_edge_.capacity()) *
+               sizeof(std::uint32_t);
   }
 
  private:
+  [[nodiscard]] static std::span<const std::uint32_t> part(std::span<const std::uint32_t> all,
+                                                           std::span<const std::uint32_t> firsts, std::uint32_t which) {
+    return all.subspan(firsts[which], firsts[std::size_t{which} + 1] - firsts[which]);
+  }
+  void list_edges_around(std::size_t vertex_count);
   void number_edges(std::span<const std::uint32_t> triangles);
 
   std::vector<EdgeEnds> edges_;
   std::vector<std::array<std::uint32_t, 3>> edges_of_;  // of triangles
   std::vector<std::uint16_t> flags_;                    // of triangles: own corners, own edges, borders, whether a face
   std::size_t face_count_ = 0;
+  // Lists one after the other, and where each begins.
+  std::vector<std::uint32_t> edges_around_, first_around_vertex_{0};
+  std::vector<std::uint32_t> corners_across_, first_across_edge_{0};
 };
 
 }  // namespace abut

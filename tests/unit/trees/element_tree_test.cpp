@@ -33,7 +33,8 @@ void append(std::span<const abut::ElementPair> from, Pairs& to) { to.insert(to.e
 Both candidates(const abut::ElementTree& tree, std::size_t least) {
   Both out;
   abut::Candidates found;
-  for (const abut::NodePair& pair : abut::cut_own_pairs(tree, least)) {
+  abut::OwnPairs pairs;
+  for (const abut::NodePair& pair : pairs.cut(tree, least)) {
     found.clear();
     abut::append_candidates(tree, pair, found);
     append(found.vertices_and_faces.list(), out.vertices_and_faces);
@@ -190,7 +191,7 @@ TEST(ElementTree, ThreadsChangeNothing) {
 
 TEST(ElementTree, NothingGivesNothing) {
   const abut::ElementTree none;
-  EXPECT_TRUE(abut::cut_own_pairs(none, 64).empty() || candidates(none, 64).edges.empty());
+  EXPECT_TRUE(candidates(none, 64).edges.empty());
   const std::vector<std::uint32_t> removed{0, 0, 0};
   const std::vector<Vec3> vertices{{0, 0, 0}};
   abut::ElementTree tree(abut::ElementTable(1, removed), removed, vertices, abut::Workers(1));

@@ -89,4 +89,27 @@ TEST(ElementTable, TrianglesOfOneEdgeShareItsNumber) {
   EXPECT_FALSE(table.is_face(3));
 }
 
+TEST(ElementTable, ListsEdgesAroundVerticesAndCornersAcrossEdges) {
+  const Indices triangles{4, 2, 7, 7, 2, 1, 5, 5, 2, 6, 6, 6};
+  const abut::ElementTable table(8, triangles);
+  std::size_t ends = 0;
+  for (std::uint32_t vertex = 0; vertex < 8; ++vertex) {
+    for (const std::uint32_t edge : table.edges_around(vertex)) {
+      const abut::EdgeEnds& its = table.edges()[edge];
+      EXPECT_TRUE(its[0] == vertex || its[1] == vertex);
+      ++ends;
+    }
+  }
+  EXPECT_EQ(ends, 2 * table.edges().size());
+  EXPECT_EQ(table.edges_around(2).size(), 4u);
+  EXPECT_TRUE(table.edges_around(6).empty());
+  const auto across = [&](std::uint32_t a, std::uint32_t b) {
+    const auto list = table.corners_across(table.edge_between(a, b));
+    return std::multiset<std::uint32_t>(list.begin(), list.end());
+  };
+  EXPECT_EQ(across(2, 7), (std::multiset<std::uint32_t>{1, 4}));
+  EXPECT_EQ(across(2, 1), (std::multiset<std::uint32_t>{7}));
+  EXPECT_TRUE(across(2, 5).empty());
+}
+
 }  // namespace
