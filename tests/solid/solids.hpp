@@ -5,6 +5,7 @@
 #include <abut/abut.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -95,6 +96,12 @@ inline void expect_parted(const ShapePtr& a, const ShapePtr& b, abut_pose pose_b
   pose_b.position = {pose_b.position.x + way * found.normal.x, pose_b.position.y + way * found.normal.y,
                      pose_b.position.z + way * found.normal.z};
   EXPECT_GE(distance(a, b, pose_b).distance, -1e-8);
+}
+
+inline double least_of(const std::vector<abut_contact>& met) {
+  double least = 0;
+  for (const abut_contact& contact : met) least = std::min(least, contact.distance);
+  return least;
 }
 
 }  // namespace solid

@@ -40,9 +40,9 @@ void append_surface_contacts(const TriangleSource& surface, const B& b, const Po
                              Manifold& out) {
   const std::size_t first = out.size();
   const B thick = searched(b);
-  [[clang::uninitialized]] SurfaceSearch<B> search(surface, thick, ab, settings, settings.margin, surface.has_fronts());
+  [[clang::uninitialized]] SurfaceSearch<B> search(surface, thick, ab, settings, settings.margin, surface.sides());
   std::optional<SeparatingTranslation> translation;
-  if (search.is_overlapped()) {
+  if (search.is_met()) {
     const SeparatingTranslation found = search.find();
     if (!found.touches.empty()) {
       translation = of_body(found, search, b);
@@ -54,10 +54,10 @@ void append_surface_contacts(const TriangleSource& surface, const B& b, const Po
 
 template <Convex B>
 [[nodiscard]] bool find_surface_depth(const TriangleSource& surface, const B& b, const Pose& ab,
-                                      const QuerySettings& settings, bool has_fronts, Distance& out) {
+                                      const QuerySettings& settings, StoppingSides sides, Distance& out) {
   const B thick = searched(b);
-  [[clang::uninitialized]] SurfaceSearch<B> search(surface, thick, ab, settings, 0, has_fronts);
-  if (!search.is_overlapped()) {
+  [[clang::uninitialized]] SurfaceSearch<B> search(surface, thick, ab, settings, 0, sides);
+  if (!search.is_met()) {
     return false;
   }
   const SeparatingTranslation found = search.find();
@@ -68,11 +68,11 @@ template <Convex B>
   const Real thickness = thick.radius() - b.radius(), length = found.length - thickness;
   out.distance = -length;
   out.lower = -length - search.tolerance();
-  out.upper = -std::min(search.least() - thickness, length) + search.tolerance();
+  out.upper = -std::min(found.least - thickness, length) + search.tolerance();
   out.normal = found.direction;
   out.point_b = search.last_point(found, b);
   out.point_a = out.point_b + length * found.direction;
-  out.algorithm = Algorithm::separating_translation;
+  out.algorithm = sides == StoppingSides::solid ? Algorithm::solid : Algorithm::separating_translation;
   out.iterations = 1;
   return true;
 }
@@ -80,8 +80,9 @@ template <Convex B>
 template <Convex B>
 [[nodiscard]] bool find_surface_depth(const TriangleSource& surface, const B& b, const Pose& ab,
                                       const QuerySettings& settings, Distance& out) {
-  return find_surface_depth(surface, b, ab, settings, surface.has_fronts(), out) ||
-         (surface.has_fronts() && find_surface_depth(surface, b, ab, settings, false, out));
+  const StoppingSides sides = surface.sides();
+  return find_surface_depth(surface, b, ab, settings, sides, out) ||
+         (sides == StoppingSides::front && find_surface_depth(surface, b, ab, settings, StoppingSides::both, out));
 }
 
 }  // namespace abut

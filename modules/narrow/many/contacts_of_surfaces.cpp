@@ -33,10 +33,9 @@ class Contacts {
            CrossingSurfaces& surfaces, bool is_swapped, Manifold& out)
       : a_(a), b_(b), ab_(ab), settings_(settings), surfaces_(surfaces), is_swapped_(is_swapped), out_(out) {}
 
-  void append() {
-    std::optional<SeparatingTranslation> translation;
-    if (surfaces_.is_overlapped()) {
-      translation = surfaces_.find();
+  // `translation`: the one found where both meet.
+  void append(const std::optional<SeparatingTranslation>& translation) {
+    if (translation) {
       most_ = translation->length * (1 + 1e-9) + surfaces_.tolerance();
       append_touched(*translation);
     }
@@ -49,8 +48,7 @@ class Contacts {
     }
     if (translation && translation->ends_behind) {
       append_jammed();
-    } else if (translation && !a_.is_solid() &&
-               !do_part(std::span(out_).subspan(first_), translation->length, surfaces_.tolerance())) {
+    } else if (translation && !do_part(std::span(out_).subspan(first_), translation->length, surfaces_.tolerance())) {
       append_whole(*translation);
     }
     if (!translation) {
@@ -73,6 +71,7 @@ class Contacts {
       if (!Fronts<Triangle>(a, b, here).allows(pair.normal)) {
         continue;
       }
+      const std::size_t first = out_.size();
       if (is_along(pair.normal, a.normal())) {
         append_under_face_of_a(a, b, pair.normal);
       } else if (is_along(pair.normal, b.normal())) {
@@ -83,6 +82,9 @@ class Contacts {
         core.point_b = last_point_of(pair.a.corners, pair.b.corners, translation.direction, pair.length);
         core.point_a = core.point_b + pair.length * pair.normal;
         append_under(a, b, core, true);
+      }
+      if (is_steep(a, pair.normal) || is_steep(b, pair.normal)) {
+        keep_touched(first, -pair.length * dot(pair.normal, translation.direction));
       }
     }
   }
@@ -232,6 +234,17 @@ class Contacts {
     }
     out_.resize(kept, ContactPoint{});
   }
+  // Of a face that leans further only the lowest points count: another one lies flatter there.
+  [[nodiscard]] static bool is_steep(const Triangle& triangle, const Vec3& normal) {
+    constexpr Real least_cosine = 0.7;
+    return triangle.has_area() && std::fabs(dot(triangle.normal(), normal)) < least_cosine;
+  }
+  void keep_touched(std::size_t first, Real distance) {
+    const Real most = distance + surfaces_.tolerance();
+    const auto begin = out_.begin() + static_cast<std::ptrdiff_t>(first);
+    out_.erase(std::remove_if(begin, out_.end(), [&](const ContactPoint& its) { return its.distance > most; }),
+               out_.end());
+  }
   // In the frame of its surface.
   [[nodiscard]] Triangle local(const Triangle& b) const { return b_.part(b.index()); }
   // As if the surfaces came in the order that was asked for.
@@ -306,7 +319,8 @@ class Contacts {
 void append_contacts(const TriangleSource& a, const TriangleSource& b, const Pose& ab, const QuerySettings& settings,
                      bool is_swapped, Manifold& out) {
   CrossingSurfaces surfaces(a, b, ab, settings, settings.margin);
-  Contacts(a, b, ab, settings, surfaces, is_swapped, out).append();
+  const auto translation = surfaces.is_met() ? std::optional(surfaces.find()) : std::nullopt;
+  Contacts(a, b, ab, settings, surfaces, is_swapped, out).append(translation);
 }
 
 }  // namespace

@@ -116,6 +116,10 @@ class ContactsUnderPlanes {
   void append(const SeparatingTranslation* translation) {
     if (translation != nullptr) {
       most_ = translation->length;
+      if (surface_.sides() == StoppingSides::solid) {
+        // What is inside may meet faces further on.
+        beyond_ = b_.aabb({ab_.rotation, ab_.position + translation->length * translation->direction});
+      }
       add_touches(*translation);
       add_overlapped(*translation);
     }
@@ -125,8 +129,7 @@ class ContactsUnderPlanes {
     for (std::uint32_t i = 0; i < planes_.size(); ++i) {
       append_under(planes_[i], i);
     }
-    if (translation != nullptr && !surface_.is_solid() &&
-        !do_part(std::span(out_).subspan(first_), translation->length, search_.tolerance())) {
+    if (translation != nullptr && !do_part(std::span(out_).subspan(first_), translation->length, search_.tolerance())) {
       append_whole(*translation);
     }
     if (translation == nullptr) {
@@ -320,6 +323,7 @@ class ContactsUnderPlanes {
     const Columns normal = Columns::all(plane.normal);
     const Real reach = std::max(settings_.margin, Real{0}) + search_.tolerance();
     Aabb box = b_.aabb(ab_).inflated(reach);
+    box.include(beyond_);
     SmallVector<NearPlace, 128> places;
     for (std::uint32_t i = 0; i < search_.fours().size(); ++i) {
       std::uint64_t left = search_.fours()[i].present & search_.fours()[i].triangles.overlapping(box);
@@ -461,6 +465,7 @@ class ContactsUnderPlanes {
   Manifold& out_;
   std::size_t first_;
   Real most_ = infinity;  // how deep a contact may be
+  Aabb beyond_ = Aabb::empty();
   SmallVector<Plane, 12> planes_;
 };
 

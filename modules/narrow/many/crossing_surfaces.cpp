@@ -20,9 +20,6 @@ namespace {
 
 constexpr Real gather_share = 0.04;  // of the size, around the boxes
 
-PlacedTriangle placed_triangle(const PlacedFour& four, std::size_t lane) {
-  return {four.triangles[lane], std::span(four.triangles.numbers)[lane], (four.one_sided >> lane & 1u) != 0};
-}
 // The same one in all lanes.
 PlacedFour in_all(const PlacedFour& four, std::size_t lane) {
   [[clang::uninitialized]] PlacedFour all;
@@ -54,6 +51,10 @@ Lanes lowest_along(const FourTriangles& t, const Columns& direction) {
 
 }  // namespace
 
+PlacedTriangle placed_triangle(const PlacedFour& four, std::size_t lane) {
+  return {four.triangles[lane], std::span(four.triangles.numbers)[lane], (four.one_sided >> lane & 1u) != 0};
+}
+
 bool is_moved_first(const TriangleSource& a, const TriangleSource& b, const Pose& ab) {
   const Aabb box_a = a.aabb(Pose::identity()), box_b = b.aabb(Pose::identity());
   const Vec3 &from_a = ab.position, from_b = ab.inverse().position;
@@ -69,14 +70,23 @@ CrossingSurfaces::CrossingSurfaces(const TriangleSource& a, const TriangleSource
   const auto half = [](const Aabb& box) { return 0.5 * largest_magnitude(box.high - box.low); };
   size_ = std::min(half(box_a_), half(box_b_));
   gather(std::max(margin, Real{0}) + gather_share * size_);
-  if (a_.is_empty() || b_.is_empty()) {
+  const bool are_near = !a_.is_empty() && !b_.is_empty();
+  if (!are_near && !(has_solid() && do_boxes_overlap({0, 0, 0}))) {
     return;
   }
-  const Real size = 4 * size_ + 2 * (a_.size() + b_.size());
+  const auto size_of = [](const Aabb& box) {
+    return largest_magnitude(maximum(absolute(box.low), absolute(box.high)));
+  };
+  const Real size = 4 * size_ + 2 * (are_near ? a_.size() + b_.size() : size_of(box_a_) + size_of(box_b_));
   touching_ = noise_of(size);
   tolerance_ = std::max(touching_, 2 * (usual_error * 2 * size_ + touching_));
-  look_for_pairs(settings, margin);
-  pack_crossing();
+  if (are_near) {
+    look_for_pairs(settings, margin);
+    pack_crossing();
+  }
+  if (has_solid() && !is_overlapped() && do_boxes_overlap({0, 0, 0})) {
+    look_inside();
+  }
 }
 
 Real CrossingSurfaces::tie() const {
@@ -187,8 +197,17 @@ SeparatingTranslation CrossingSurfaces::find() {
     gather(usual);
   }
   // Directions all around are tried where a way along each costs little. Of many triangles the first starts are good.
-  constexpr std::size_t few = 64;
-  const bool are_few = a_.fours().size() * b_.fours().size() <= few;
+  constexpr std::size_t few = 1024;  // pairs
+  const auto count_of = [](const PlacedTriangles& triangles) {
+    std::size_t count = 0;
+    for (const PlacedFour& four : triangles.fours()) {
+      for (std::uint64_t left = four.present; left != 0; left &= left - 1) {
+        ++count;
+      }
+    }
+    return count;
+  };
+  const bool are_few = count_of(a_) * count_of(b_) <= few;
   return find_translation(*this, {.size = size_,
                                   .tolerance = tolerance_,
                                   .least = least_,
@@ -212,9 +231,14 @@ SurfaceExit CrossingSurfaces::exit_along(const Vec3& direction, Real enough) {
     return exit;
   }
   set_bounds(direction);
-  if (!leave_crossing(direction, enough, exit) || !leave_those_ahead(direction, enough, exit)) {
+  if (!leave_crossing(direction, enough, exit)) {
     return exit;
   }
+  do {
+    if (exit.is_stopped || !leave_those_ahead(direction, enough, exit)) {
+      return exit;
+    }
+  } while (leave_inside(direction, enough, exit));
   exit.settle(tie(), 4 * tolerance_);
   // The order of triangles has no say in which of them count.
   std::ranges::sort(exit.touches.span(), {}, [](const SurfaceTouch& touch) {
@@ -363,7 +387,9 @@ bool CrossingSurfaces::leave_those_ahead(const Vec3& direction, Real enough, Sur
                     // What overlaps by no more than a touch is no obstacle, however long that lasts.
                     const bool is_obstacle = found.last[lane] > exit.length + tolerance_;
                     is_longer = is_longer || is_obstacle;
-                    note(a, b, lane, found, is_obstacle ? infinity : exit.length, direction, exit);
+                    // Of those that end together the last one tells where, in any order.
+                    const bool counts = is_obstacle || found.end[lane] <= exit.length + tolerance_;
+                    note(a, b, lane, found, counts ? infinity : exit.length, direction, exit);
                     if (is_obstacle) {
                       keep_blocking(a, b, lane);
                     }
@@ -404,8 +430,12 @@ void CrossingSurfaces::note(const PlacedFour& a, const PlacedFour& b, std::size_
       first = {front, length};
     }
   };
-  pass(a.normals[lane], a.one_sided);
-  pass(-b.normals[lane], b.one_sided);
+  if (source_a_.sides() == StoppingSides::front) {
+    pass(a.normals[lane], a.one_sided);
+  }
+  if (source_b_.sides() == StoppingSides::front) {
+    pass(-b.normals[lane], b.one_sided);
+  }
 }
 
 void CrossingSurfaces::visit_touched(const SeparatingTranslation& translation, const TakeTouched& take) {
@@ -414,8 +444,10 @@ void CrossingSurfaces::visit_touched(const SeparatingTranslation& translation, c
     gather(far);
   }
   set_reaches(direction);
+  bool are_crossed = false;
   visit_ahead(direction, translation.length,
               [&](const PlacedFour& a, const PlacedFour& b, const PairStretches& found, std::uint64_t met) {
+                are_crossed = true;
                 for (; met != 0; met &= met - 1) {
                   const auto lane = static_cast<std::size_t>(std::countr_zero(met));
                   take({placed_triangle(a, lane), placed_triangle(b, lane),
@@ -423,8 +455,20 @@ void CrossingSurfaces::visit_touched(const SeparatingTranslation& translation, c
                 }
                 return true;
               });
+  if (!are_crossed) {
+    visit_faces_met(translation, take);
+  }
 }
-
+std::optional<TouchedPair> CrossingSurfaces::last_pair(const SeparatingTranslation& translation) {
+  std::optional<TouchedPair> last;
+  const auto key = [](const TouchedPair& pair) { return std::tuple(-pair.length, pair.a.number, pair.b.number); };
+  visit_touched(translation, [&](const TouchedPair& pair) {
+    if (!last || key(pair) < key(*last)) {
+      last = pair;
+    }
+  });
+  return last;
+}
 // Each triangle once: what it overlaps lies together.
 void CrossingSurfaces::visit_planes(const TakePlane& take) const {
   struct Seen {
@@ -473,6 +517,13 @@ void CrossingSurfaces::visit_single_ways(const TakeStart& take) const {
 // Out of all that crosses together: of closed surfaces that leads away from the middle of what they share. It comes
 // first.
 void CrossingSurfaces::visit_own_directions(bool, std::span<const TranslationStart>, const TakeStart& take) const {
+  if (has_solid()) {
+    for (int axis = 0; axis < 3; ++axis) {
+      const Vec3 along{axis == 0 ? 1.0 : 0.0, axis == 1 ? 1.0 : 0.0, axis == 2 ? 1.0 : 0.0};
+      take(along, box_a_.high[axis] - box_b_.low[axis]);
+      take(-along, box_b_.high[axis] - box_a_.low[axis]);
+    }
+  }
   Vec3 sum{0, 0, 0};
   visit_planes([&](const OverlappedPlane& plane) { sum += plane.area * plane.normal; });
   if (const auto outward = UnitVec3::make(sum)) {

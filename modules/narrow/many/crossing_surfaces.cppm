@@ -23,6 +23,8 @@ struct PlacedTriangle {
   [[nodiscard]] Triangle part() const { return {corners, number, is_one_sided}; }
 };
 
+[[nodiscard]] PlacedTriangle placed_triangle(const PlacedFour& four, std::size_t lane);
+
 // Two triangles that overlap, touch, or are within the margin.
 struct NearPair {
   PlacedTriangle a, b;
@@ -51,20 +53,24 @@ class CrossingSurfaces final : private Obstacles {
   // By the numbers of the triangles of a, then of b.
   [[nodiscard]] std::span<const NearPair> near() const [[clang::lifetimebound]] { return near_.span(); }
   [[nodiscard]] bool is_overlapped() const { return count_ > 0; }
+  // Whether triangles overlap, or a piece of one surface is in the other one, which is a solid.
+  [[nodiscard]] bool is_met() const { return is_overlapped() || is_inside_; }
+  // Whether either is a solid.
+  [[nodiscard]] bool has_solid() const;
   // Triangles that overlap by no more only touch.
   [[nodiscard]] Real touching() const { return touching_; }
   // Lengths below it are rounding.
   [[nodiscard]] Real tolerance() const { return tolerance_; }
-  // No translation that ends the overlap is shorter.
-  [[nodiscard]] Real least() const { return least_; }
   // Of the smaller one of both.
   [[nodiscard]] Real size() const { return size_; }
 
-  // To be called where something is overlapped.
+  // To be called where both meet.
   [[nodiscard]] SeparatingTranslation find();
   using TakeTouched = std::function<void(const TouchedPair&)>;
   // Pairs that part within a tie of the end of a translation.
   void visit_touched(const SeparatingTranslation& translation, const TakeTouched& take);
+  // The one that parts last.
+  [[nodiscard]] std::optional<TouchedPair> last_pair(const SeparatingTranslation& translation);
   // Those that are near the other surface.
   [[nodiscard]] const PlacedTriangles& triangles_of_a() const [[clang::lifetimebound]] { return a_; }
   [[nodiscard]] const PlacedTriangles& triangles_of_b() const [[clang::lifetimebound]] { return b_; }
@@ -80,6 +86,30 @@ class CrossingSurfaces final : private Obstacles {
   struct BlockingFour {
     PlacedFour a, b;
   };
+
+  // A point of one surface that lies in the other one, which is a solid, or is beside a place in both.
+  struct PointInside {
+    Vec3 point, place;
+    bool is_of_a;
+  };
+  // By more than a touch, after a move of b.
+  [[nodiscard]] bool do_boxes_overlap(const Vec3& move) const;
+  // How deep a place in the frame of a is in either solid; zero outside.
+  [[nodiscard]] Real depth_in_a(const Vec3& place) const;
+  [[nodiscard]] Real depth_in_b(const Vec3& place) const;
+  [[nodiscard]] std::optional<PointInside> point_inside(const Vec3& direction, Real length) const;
+  // Of pieces, where no triangles cross.
+  [[nodiscard]] std::optional<PointInside> piece_inside(const Vec3& move) const;
+  // Of triangles that touch. The reaches are those along the direction.
+  [[nodiscard]] std::optional<PointInside> flush_inside(const Vec3& direction, Real length) const;
+  [[nodiscard]] std::optional<PointInside> flush_inside(const PlacedTriangle& triangle, bool is_of_a,
+                                                        const Vec3& move) const;
+  void look_inside();
+  // Around a place in both solids there is a ball of each: they are parted after both radii. Goes away from both
+  // surfaces, as long as that makes the sum larger.
+  [[nodiscard]] Real climb(Vec3 place, Real most) const;
+  // On to the surface of a solid, where nothing overlaps but something is inside. False where all is outside.
+  [[nodiscard]] bool leave_inside(const Vec3& direction, Real enough, SurfaceExit& exit);
 
   // Triangles that b reaches on ways no longer than `reach` along each axis.
   void gather(Real reach);
@@ -107,8 +137,15 @@ class CrossingSurfaces final : private Obstacles {
   template <class Take>
   void visit_ahead(const Vec3& direction, const Real& length, const Take& take);
 
+  // Calls take(a, b), which returns whether to go on, for triangles that come within `slack` after a way, along which
+  // the reaches are.
+  template <class Take>
+  void visit_near(const Vec3& direction, Real length, Real slack, const Take& take) const;
+  void visit_faces_met(const SeparatingTranslation& translation, const TakeTouched& take) const;
+
   void visit_planes(const TakePlane& take) const override;
   void visit_single_ways(const TakeStart& take) const override;
+  [[nodiscard]] Real least_by(const SeparatingTranslation& translation) override;
   void visit_own_directions(bool are_few, std::span<const TranslationStart> starts,
                             const TakeStart& take) const override;
 
@@ -123,6 +160,7 @@ class CrossingSurfaces final : private Obstacles {
   std::array<BlockingFour, 2> blocking_{};
   std::size_t blocking_count_ = 0;  // so far, also of those that have given way
   std::size_t count_ = 0;           // of pairs that overlap
+  bool is_inside_ = false;
   Real least_ = 0;
   Vec3 deepest_way_{0, 0, 1};  // out of the pair that is the deepest by itself
 };

@@ -86,7 +86,7 @@ Vec3 point_in(const GroundSlab& slab, const Extremes& extremes) {
 
 std::optional<FlatGround> flat_ground(const GroundSurface& surface, const GroundBody& body, Real margin,
                                       Real most_gap) {
-  const GroundSides sides = surface.sides();
+  const StoppingSides sides = surface.sides();
   const Real coordinate = largest_magnitude(body.centre) + 2 * body.size, noise = noise_of(coordinate),
              thickness = most_thickness(body.size, coordinate);
   const Aabb near = body.box.inflated(margin + noise);
@@ -96,7 +96,7 @@ std::optional<FlatGround> flat_ground(const GroundSurface& surface, const Ground
   }
   // If both sides are as near, the front counts.
   const auto is_in_front = [&](const Depths& depths) {
-    return sides != GroundSides::both || depths.front <= depths.back + tie_share * body.size;
+    return sides != StoppingSides::both || depths.front <= depths.back + tie_share * body.size;
   };
   const Real level = dot(seed->normal(), seed->corners()[0]);
   const GroundSlab plane{seed->normal(), level, level};
@@ -104,7 +104,7 @@ std::optional<FlatGround> flat_ground(const GroundSurface& surface, const Ground
   const Depths in_plane = depths_in(plane, of_plane, body.radius);
   const Real depth_in_plane = in_plane.least(is_in_front(in_plane));
   // A front does not hold a core that has passed it.
-  if (-depth_in_plane > most_gap || (sides == GroundSides::front && !(in_plane.back - body.radius > noise))) {
+  if (-depth_in_plane > most_gap || (sides == StoppingSides::front && !(in_plane.back - body.radius > noise))) {
     return std::nullopt;
   }
   // Grown in steps, so that the rounding of the plane has no say in which triangles are looked at.
@@ -113,7 +113,7 @@ std::optional<FlatGround> flat_ground(const GroundSurface& surface, const Ground
   const Real grown = step * (1 + std::ceil(reach / step));
   const VisitFours visit = [&surface](const Aabb& box, const TakeFour& take) { surface.visit(box, take); };
   [[clang::uninitialized]] FlatPatch patch(
-      visit, {*seed, body.box.inflated(grown), thickness, noise, sides != GroundSides::both});
+      visit, {*seed, body.box.inflated(grown), thickness, noise, sides != StoppingSides::both});
   const std::optional<GroundSlab> slab = patch.slab();
   if (!slab) {
     return std::nullopt;
@@ -126,7 +126,7 @@ std::optional<FlatGround> flat_ground(const GroundSurface& surface, const Ground
   }
   const Vec3 &n = slab->normal, point = point_in(*slab, extremes);
   const std::optional<std::uint32_t> triangle = patch.triangle_at(point, std::max(step / 64, 8 * noise));
-  if (!triangle || (sides == GroundSides::solid &&
+  if (!triangle || (sides == StoppingSides::solid &&
                     !surface.fills_below(point - 0.5 * step * n, point + 0.5 * step * n, body.box.inflated(grown)))) {
     return std::nullopt;
   }

@@ -13,11 +13,9 @@ import abut.core;
 import abut.math;
 import abut.narrow.many.flat_patch;
 import abut.narrow.many.half_space;
+export import abut.narrow.many.stopping_sides;
 
 export namespace abut {
-
-// What stops a shape: both sides of a surface, its fronts, or all that is inside.
-enum class GroundSides : std::uint8_t { both, front, solid };
 
 // A surface behind functions, so that the search is compiled once.
 class GroundSurface {
@@ -26,7 +24,7 @@ class GroundSurface {
   [[nodiscard]] virtual Triangle part_near(const Vec3& point) const = 0;
   [[nodiscard]] virtual bool is_crest(std::uint32_t index, unsigned corners, const Vec3& direction,
                                       Real height) const = 0;
-  [[nodiscard]] virtual GroundSides sides() const = 0;
+  [[nodiscard]] virtual StoppingSides sides() const = 0;
   // Of a solid without a triangle in a box, but for flat ground that parts two points in it: whether it fills one side.
   [[nodiscard]] virtual bool fills_below(const Vec3& below, const Vec3& above, const Aabb& box) const = 0;
 
@@ -105,14 +103,7 @@ class GroundOf final : public GroundSurface {
                               Real height) const override {
     return a_.is_crest(index, corners, direction, height);
   }
-  [[nodiscard]] GroundSides sides() const override {
-    if constexpr (Enclosing<A>) {
-      if (a_.is_solid()) {
-        return GroundSides::solid;
-      }
-    }
-    return a_.has_fronts() ? GroundSides::front : GroundSides::both;
-  }
+  [[nodiscard]] StoppingSides sides() const override { return stopping_sides(a_); }
   [[nodiscard]] bool fills_below(const Vec3& below, const Vec3& above, const Aabb& box) const override {
     if constexpr (Terrain<A>) {
       // The floor has no triangles.

@@ -45,16 +45,16 @@ struct OverlappedFour : FourFaces {
 template <Convex B>
 class NearTriangles {
  public:
-  // Looks for all triangles within `margin`. `has_fronts`: whether fronts let through what comes from behind.
+  // Looks for all triangles within `margin`. `sides`: fronts let through what comes from behind.
   NearTriangles(const TriangleSource& surface, const B& b, const Pose& ab, const QuerySettings& settings, Real margin,
-                bool has_fronts)
+                StoppingSides sides)
       : surface_(surface),
         b_(b),
         ab_(ab),
         settings_(settings),
+        sides_(sides),
         size_(b.extent() + b.radius()),
-        box_(b.aabb(ab)),
-        has_fronts_(has_fronts) {
+        box_(b.aabb(ab)) {
     gather(margin);
   }
 
@@ -103,6 +103,7 @@ class NearTriangles {
   const B& b_;
   const Pose& ab_;
   const QuerySettings& settings_;
+  StoppingSides sides_;
   Real size_;  // of b
   Real tolerance_ = 0;
   SmallVector<NearFour, 72> fours_;
@@ -149,7 +150,7 @@ class NearTriangles {
     if (present == 0) {
       return;
     }
-    const std::uint64_t one_sided = has_fronts_ ? surface_.one_sided(four) : 0;
+    const std::uint64_t one_sided = sides_ == StoppingSides::both ? 0 : surface_.one_sided(four);
     const Lanes sizes = four.size();
     Real largest_of_them = 0;
     for (std::uint64_t left = present; left != 0; left &= left - 1) {
@@ -206,11 +207,12 @@ class NearTriangles {
     if (core.beyond || gap > std::max(margin, touching)) {
       return;
     }
-    const bool is_in_front = Fronts<B>(triangle, b_, ab_).allows(core.normal);
-    if (!is_in_front && !counts_from_behind(triangle, b_, ab_, core)) {
+    const bool is_in_front = Fronts<B>(triangle, b_, ab_).allows(core.normal), is_overlapped = gap < -touching;
+    // A solid is left wherever it is met.
+    const bool is_in_solid = sides_ == StoppingSides::solid && is_overlapped;
+    if (!is_in_front && !is_in_solid && !counts_from_behind(triangle, b_, ab_, core)) {
       return;
     }
-    const bool is_overlapped = gap < -touching;
     near_.push_back({at, found, gap, is_overlapped, 0, 0});
     if (!is_overlapped) {
       return;
@@ -224,7 +226,7 @@ class NearTriangles {
     const Real depth = Curved<B> ? b_.radius() - core.upper : -gap;
     if (depth > least_) {
       least_ = depth;
-      deepest_way_ = core.normal;
+      deepest_way_ = is_in_front || !is_in_solid ? core.normal : normal;
     }
   }
   // Side by side, so that a search asks about no others.
@@ -254,7 +256,6 @@ class NearTriangles {
   }
 
   Aabb box_, covered_;
-  bool has_fronts_;
   Real touching_ = 0;
   std::size_t unfilled_ = 0;  // place of the four that lacks triangles, if any does
 };

@@ -11,8 +11,10 @@ import abut.narrow.many.leaving;
 import abut.narrow.many.leaving_four;
 export import abut.narrow.many.near_triangles;
 import abut.narrow.many.quick_axes;
+import abut.narrow.many.places_of_body;
 export import abut.narrow.many.translation_search;
 import abut.narrow.many.triangle_contacts;
+import abut.narrow.many.triangle_source;
 
 export namespace abut {
 
@@ -23,8 +25,19 @@ class SurfaceSearch : public NearTriangles<B>, private Obstacles {
   using Near::Near;
   using Near::find_planes, Near::number_at, Near::triangle_at;
 
-  // To be called where something is overlapped.
+  // Whether the shape overlaps a triangle, or is in a solid.
+  [[nodiscard]] bool is_met() const { return this->is_overlapped() || place_inside({0, 0, 0}).has_value(); }
+
+  // To be called where it is.
   [[nodiscard]] SeparatingTranslation find() {
+    if constexpr (PointCored<B>) {
+      if (b_.radius() == 0 && !this->is_overlapped()) {
+        return way_of_point();
+      }
+    }
+    if (place_inside({0, 0, 0})) {
+      begin_inside();
+    }
     // A triangle may slide out along itself.
     constexpr Real far = leaves_by_axes<B> && !is_box<B> ? 1 : 1.25;
     constexpr Real of_start = 2;
@@ -76,7 +89,72 @@ class SurfaceSearch : public NearTriangles<B>, private Obstacles {
 
  private:
   using Near::ab_, Near::b_, Near::deepest_way_, Near::fours_, Near::least_, Near::near_;
-  using Near::overlapped_, Near::settings_, Near::size_, Near::tolerance_;
+  using Near::overlapped_, Near::settings_, Near::sides_, Near::size_, Near::surface_, Near::tolerance_;
+
+  // A place of b in the solid after a move, if there is one: its centre, or a corner of what is thin, which may cross
+  // the surface where triangles meet and overlap none of them.
+  [[nodiscard]] std::optional<Vec3> place_inside(const Vec3& move) const {
+    if (sides_ != StoppingSides::solid) {
+      return std::nullopt;
+    }
+    const Vec3 centre = placed_centre(b_, ab_) + move;
+    if (surface_.contains(centre)) {
+      return centre;
+    }
+    const auto corners = corners_of_thin(b_, ab_);
+    for (const Vec3& corner : corners.span()) {
+      if (const Vec3 place = corner + move; surface_.contains(place)) {
+        return place;
+      }
+    }
+    return std::nullopt;
+  }
+  // A ball in b does not leave before its own way out ends.
+  void begin_inside() {
+    const BallInside ball = ball_inside(b_);
+    const Vec3 middle = ab_ * ball.centre;
+    const PointOnSurface nearest = surface_.nearest(middle);
+    const Real depth = ball.radius + (surface_.contains(middle) ? nearest.distance : -nearest.distance);
+    const auto way = UnitVec3::make(nearest.point - middle);
+    if (way && depth >= nearest.distance && depth > least_) {
+      least_ = depth;
+      deepest_way_ = *way;
+    }
+  }
+  // A point is out as soon as it is on the surface. Behind an edge that bends inward it would be in again.
+  [[nodiscard]] SeparatingTranslation way_of_point()
+    requires PointCored<B>
+  {
+    const Vec3 point = placed_centre(b_, ab_);
+    const PointOnSurface nearest = surface_.nearest(point);
+    const Triangle part = surface_.part(nearest.part);
+    const Vec3 outward = part.is_one_sided() ? part.normal() : -part.normal();
+    SeparatingTranslation found;
+    found.length = found.least = nearest.distance;
+    found.direction = nearest.distance > tolerance_ ? (1 / nearest.distance) * (nearest.point - point) : outward;
+    if (const auto at = near_place(nearest.part, nearest.point)) {
+      found.touches.push_back({found.direction, found.length, *at});
+    }
+    return found;
+  }
+  // Points of b that lie deep tell that nothing is shorter: around each there is a ball in b.
+  [[nodiscard]] Real least_by(const SeparatingTranslation& translation) override {
+    if (sides_ != StoppingSides::solid) {
+      return 0;
+    }
+    const BallInside ball = ball_inside(b_);
+    const Vec3 middle = ab_ * ball.centre;
+    const Vec3 lowest = placed_support(b_, place(b_, ab_), -translation.direction).point;
+    Real least = 0;
+    for (const Real share : {1.0, 0.75, 0.5, 0.25}) {
+      const Vec3 point = middle + share * (lowest - middle);
+      const Real radius = ball.radius + share * (b_.radius() - ball.radius), gap = surface_.nearest(point).distance;
+      least = std::max(least, radius + (surface_.contains(point) ? gap : -gap));
+    }
+    // Where the shape touches in the end, it was deepest before.
+    const Vec3 last = last_point(translation, b_);
+    return surface_.contains(last) ? std::max(least, surface_.nearest(last).distance) : least;
+  }
 
   // Planes that are left within it of each other are touched together: else rounding would tell which of them counts.
   [[nodiscard]] Real tie() const {
@@ -100,8 +178,11 @@ class SurfaceSearch : public NearTriangles<B>, private Obstacles {
       if (!leave_those_ahead(direction, lowest, enough, exit)) {
         return exit;
       }
-      if (!(exit.length > before)) {
+      if (!(exit.length > before) && !leave_inside(direction, enough, exit)) {
         break;
+      }
+      if (exit.is_stopped) {
+        return exit;
       }
     }
     exit.settle(tie(), 4 * tolerance_);
@@ -182,7 +263,7 @@ class SurfaceSearch : public NearTriangles<B>, private Obstacles {
     if (!exit.note({found.normal, found.length, at}, tie())) {
       return;
     }
-    if ((fours_[at.four].one_sided >> at.lane & 1u) != 0) {
+    if (sides_ != StoppingSides::solid && (fours_[at.four].one_sided >> at.lane & 1u) != 0) {
       const Vec3 normal = find_planes(at.four).normals[at.lane];
       if (dot(normal, direction) < -1e-9) {
         exit.backs.push_back({normal, found.length});
@@ -295,12 +376,49 @@ class SurfaceSearch : public NearTriangles<B>, private Obstacles {
     }
     return true;
   }
+  // On to the surface of a solid, where b is inside and overlaps no triangle. False where it is outside.
+  [[nodiscard]] bool leave_inside(const Vec3& direction, Real enough, SurfaceExit& exit) {
+    // Not just at the surface: there rounding tells.
+    const Real further = exit.length + 2 * tolerance_;
+    const std::optional<Vec3> place = place_inside(further * direction);
+    if (!place) {
+      return false;
+    }
+    const auto way = surface_.way_to_surface(*place, direction);
+    const std::optional<NearPlace> at = way ? near_place(way->part, *place + way->length * direction) : std::nullopt;
+    if (!at) {
+      exit.stop({direction, infinity, {}});
+      exit.touches.clear();
+      return true;
+    }
+    const SurfaceTouch touch{way->normal, further + way->length, *at};
+    if (touch.length >= enough) {
+      exit.stop(touch);
+    } else {
+      static_cast<void>(exit.note(touch, tie()));
+    }
+    return true;
+  }
+  // Where a triangle that has a point is kept.
+  [[nodiscard]] std::optional<NearPlace> near_place(std::uint32_t number, const Vec3& point) {
+    this->cover({point, point});
+    for (std::size_t i = 0; i < fours_.size(); ++i) {
+      for (std::uint64_t left = fours_[i].present; left != 0; left &= left - 1) {
+        const auto lane = static_cast<std::size_t>(std::countr_zero(left));
+        if (fours_[i].triangles.numbers[lane] == number) {
+          return NearPlace{i, lane};
+        }
+      }
+    }
+    return std::nullopt;
+  }
   // Whether the triangle counts as overlapped there, by more than what ends a search.
   [[nodiscard]] bool is_overlapped_at(const NearPlace& place, const Pose& at) const {
     const Triangle triangle = triangle_at(place);
     const CoreSeparation core = begin_separation(triangle, b_, at, settings_, b_.radius()).core;
     return !core.beyond && core.distance - b_.radius() < -2 * tolerance_ &&
-           (Fronts<B>(triangle, b_, at).allows(core.normal) || counts_from_behind(triangle, b_, at, core));
+           (sides_ == StoppingSides::solid || Fronts<B>(triangle, b_, at).allows(core.normal) ||
+            counts_from_behind(triangle, b_, at, core));
   }
 
   void visit_planes(const TakePlane& take) const override {
@@ -325,6 +443,9 @@ class SurfaceSearch : public NearTriangles<B>, private Obstacles {
   void visit_own_directions(bool are_few, std::span<const TranslationStart> starts,
                             const TakeStart& take) const override {
     const Real last = are_few ? 10 * size_ : Real{0};
+    if (sides_ == StoppingSides::solid) {
+      add_ways_out(take, last);
+    }
     if constexpr (leaves_by_axes<B>) {
       for (const Vec3& face : b_.face_normals()) {
         if (squared_norm(face) > 0) {
@@ -351,6 +472,20 @@ class SurfaceSearch : public NearTriangles<B>, private Obstacles {
         take(axis, last);
         take(-axis, last);
       }
+    }
+  }
+
+  // Toward the nearest surface from inside, away from it from outside, and along the axes.
+  void add_ways_out(const TakeStart& take, Real last) const {
+    const Vec3 middle = ab_ * ball_inside(b_).centre, nearest = surface_.nearest(middle).point;
+    const Vec3 outward = surface_.contains(middle) ? nearest - middle : middle - nearest;
+    if (const auto way = UnitVec3::make(outward)) {
+      take(*way, -infinity);
+    }
+    for (int axis = 0; axis < 3; ++axis) {
+      const Vec3 along{axis == 0 ? 1.0 : 0.0, axis == 1 ? 1.0 : 0.0, axis == 2 ? 1.0 : 0.0};
+      take(along, last);
+      take(-along, last);
     }
   }
 

@@ -11,8 +11,6 @@ import abut.narrow.many.flat_ground;
 export import abut.narrow.many.half_space_surfaces;
 import abut.narrow.many.nearest_of_parts;
 import abut.narrow.many.quick_axes;
-import abut.narrow.many.solid_contacts;
-import abut.narrow.many.solid_depth;
 import abut.narrow.many.surface_kernels;
 import abut.narrow.many.triangle_contacts;
 import abut.narrow.many.triangle_source;
@@ -79,16 +77,6 @@ template <Surface A, Convex B>
   if (flat_contacts(a, b, ab, settings, out)) {
     return Outcome::ok;
   }
-  if constexpr (Enclosing<A>) {
-    if (a.is_solid()) {
-      const std::size_t first = out.size();
-      const std::optional<SolidDepth> depth = solid_depth(a, b, ab, settings);
-      surface_contacts(SourceOf<A>(a, depth.has_value()), core_of(b), ab, settings, out);
-      keep_leading_out(a, first, out);
-      settle_depth(depth, first, settings.margin, out);
-      return Outcome::ok;
-    }
-  }
   surface_contacts(SourceOf<A>(a), core_of(b), ab, settings, out);
   return Outcome::ok;
 }
@@ -119,12 +107,6 @@ template <Surface A, Convex B>
   }
   if (flat_distance(a, b, ab, settings, out)) {
     return Outcome::ok;
-  }
-  if constexpr (Enclosing<A>) {
-    if (const auto depth = a.is_solid() ? solid_depth(a, b, ab, settings) : std::nullopt) {
-      out = distance_of(*depth);
-      return Outcome::ok;
-    }
   }
   if (surface_depth(SourceOf<A>(a), core_of(b), ab, settings, out)) {
     return Outcome::ok;

@@ -26,7 +26,9 @@ bool SurfaceExit::note(const SurfaceTouch& found, Real tie) {
   bool is_known = false;
   for (SurfaceTouch& touch : touches.span()) {
     if (dot(touch.normal, found.normal) > 1 - 1e-9) {
-      touch = found.length > touch.length ? found : touch;
+      // Of equal ones the greater normal counts, so that their order has no say.
+      const auto key = [](const SurfaceTouch& t) { return std::tuple(t.length, t.normal.x, t.normal.y, t.normal.z); };
+      touch = key(found) > key(touch) ? found : touch;
       is_known = true;
     }
   }
@@ -58,12 +60,17 @@ namespace {
 
 class Search {
  public:
-  Search(Obstacles& obstacles, const TranslationSearch& search) : obstacles_(obstacles), search_(search) {}
+  Search(Obstacles& obstacles, const TranslationSearch& search) : obstacles_(obstacles), search_(search) {
+    best_.least = search.least;
+  }
 
   [[nodiscard]] const SeparatingTranslation& find() [[clang::lifetimebound]] {
     most_ = search_.first;
     improve(search_.deepest_way, infinity);
     most_ = search_.most;
+    if (!is_settled()) {
+      raise_least();
+    }
     if (!is_settled()) {
       try_starts();
     }
@@ -84,6 +91,9 @@ class Search {
         try_starts();
       }
     }
+    if (!is_settled()) {
+      raise_least();
+    }
     return best_;
   }
 
@@ -91,7 +101,12 @@ class Search {
   static constexpr std::size_t most_starts = 48;
   using Starts = SmallVector<TranslationStart, most_starts>;
 
-  [[nodiscard]] bool is_settled() const { return best_.length <= search_.least * (1 + 1e-12) + search_.tolerance; }
+  void raise_least() {
+    if (best_.length < infinity) {
+      best_.least = std::max(best_.least, obstacles_.least_by(best_));
+    }
+  }
+  [[nodiscard]] bool is_settled() const { return best_.length <= best_.least * (1 + 1e-12) + search_.tolerance; }
 
   // Along a direction, then along the shortest translation that leaves all planes touched so far. Goes no further along
   // one than the best so far times `most`.
@@ -161,7 +176,7 @@ class Search {
         are_few, before.span(), [&](const Vec3& direction, Real estimate) { add_start(direction, estimate, starts); });
     try_all(starts, are_few ? starts.size() : most_of_many);
     // Where triangles pass through each other, or stand alone, planes tell little.
-    if (best_.length > search_.far * search_.least + search_.tolerance && !(search_.trusts_ground && is_ground())) {
+    if (best_.length > search_.far * best_.least + search_.tolerance && !(search_.trusts_ground && is_ground())) {
       starts.clear();
       add_single_ways(starts);
       try_all(starts, starts.size());

@@ -30,6 +30,7 @@ struct SeparatingTranslation {
   Real length = infinity;
   Vec3 direction{0, 0, 1};
   bool ends_behind = false;  // a front that stands in all ways
+  Real least = 0;            // no translation that ends the overlap is shorter
   SmallVector<SurfaceTouch, 8> touches;
 };
 
@@ -89,6 +90,8 @@ class Obstacles {
   virtual void visit_planes(const TakePlane& take) const = 0;
   // The ways out of single obstacles, with the gap of each.
   virtual void visit_single_ways(const TakeStart& take) const = 0;
+  // No translation that ends the overlap is shorter, as one that does so shows. Costs more than what is known without.
+  [[nodiscard]] virtual Real least_by(const SeparatingTranslation&) { return 0; }
   // Directions of the shape itself. `are_few`: whether the starts so far are planes, and not means of many.
   virtual void visit_own_directions(bool are_few, std::span<const TranslationStart> starts,
                                     const TakeStart& take) const = 0;
@@ -97,7 +100,7 @@ class Obstacles {
 struct TranslationSearch {
   Real size;           // of the shape
   Real tolerance;      // lengths below it are rounding
-  Real least;          // no translation that ends the overlap is shorter
+  Real least;          // no translation that ends the overlap is shorter, as is known without a search
   Vec3 deepest_way;    // out of the obstacle that is the deepest by itself
   Real most;           // some translation that ends the overlap is no longer
   Real first;          // how far the first direction is followed
@@ -108,7 +111,7 @@ struct TranslationSearch {
   int most_polishes;
 };
 
-// To be called where something is overlapped.
+// To be called where shapes overlap.
 [[nodiscard]] SeparatingTranslation find_translation(Obstacles& obstacles, const TranslationSearch& search);
 
 }  // namespace abut

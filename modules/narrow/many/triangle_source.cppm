@@ -4,9 +4,19 @@
 export module abut.narrow.many.triangle_source;
 import abut.capability;
 import abut.core.standard;
+import abut.core;
 import abut.math;
+export import abut.narrow.many.solid_point;
+export import abut.narrow.many.stopping_sides;
 
 export namespace abut {
+
+// Where a way through a solid reaches its surface.
+struct WayToSurface {
+  Real length;
+  Vec3 normal;  // unit, along the way
+  std::uint32_t part;
+};
 
 class TriangleSource {
  public:
@@ -22,11 +32,16 @@ class TriangleSource {
   // Hands over every triangle whose box overlaps another one, once.
   virtual void visit(const Aabb& box, const TakeFour& take) const = 0;
   [[nodiscard]] virtual Triangle part(std::uint32_t number) const = 0;
-  // Of four triangles a bit for each that has a front only.
+  // Of four triangles a bit for each that has a front only. Those of a solid have, but where they are wound the wrong
+  // way.
   [[nodiscard]] virtual std::uint64_t one_sided(const FourTriangles& four) const = 0;
-  [[nodiscard]] virtual bool has_fronts() const = 0;
-  // Whether the depth is that in a solid: then a way out of the surface need not lead out of the whole.
-  [[nodiscard]] virtual bool is_solid() const = 0;
+  [[nodiscard]] virtual StoppingSides sides() const = 0;
+  // Of a solid; see Enclosing. Nothing else contains anything.
+  [[nodiscard]] virtual bool contains(const Vec3& point) const = 0;
+  [[nodiscard]] virtual std::span<const Vec3> pieces() const = 0;
+  // From a point on; none where the way ends nowhere.
+  [[nodiscard]] virtual std::optional<WayToSurface> way_to_surface(const Vec3& from, const Vec3& direction) const = 0;
+  [[nodiscard]] virtual PointOnSurface nearest(const Vec3& point) const = 0;
   // See Surface.
   [[nodiscard]] virtual bool is_crest(std::uint32_t number, unsigned corners, const Vec3& direction,
                                       Real height) const = 0;
@@ -37,8 +52,7 @@ class TriangleSource {
 template <Surface S>
 class SourceOf final : public TriangleSource {
  public:
-  // `is_solid`: whether what overlaps the surface is told how deep it is in the solid.
-  explicit SourceOf(const S& surface, bool is_solid = false) : surface_(surface), is_solid_(is_solid) {}
+  explicit SourceOf(const S& surface) : surface_(surface), sides_(stopping_sides(surface)) {}
 
   [[nodiscard]] Aabb aabb(const Pose& pose) const override { return surface_.aabb(pose); }
   void visit(const Aabb& box, const TakeFour& take) const override {
@@ -60,7 +74,7 @@ class SourceOf final : public TriangleSource {
   }
   Triangle part(std::uint32_t number) const override { return surface_.part(number); }
   std::uint64_t one_sided(const FourTriangles& four) const override {
-    if (!surface_.has_fronts()) {
+    if (sides_ == StoppingSides::both) {
       return 0;
     }
     std::uint64_t bits = 0;
@@ -69,8 +83,31 @@ class SourceOf final : public TriangleSource {
     }
     return bits;
   }
-  bool has_fronts() const override { return surface_.has_fronts(); }
-  [[nodiscard]] bool is_solid() const override { return is_solid_; }
+  StoppingSides sides() const override { return sides_; }
+  bool contains([[maybe_unused]] const Vec3& point) const override {
+    if constexpr (Enclosing<S>) {
+      return sides_ == StoppingSides::solid && surface_.aabb(Pose::identity()).overlaps({point, point}) &&
+             surface_.contains(point);
+    } else {
+      return false;
+    }
+  }
+  std::span<const Vec3> pieces() const override {
+    if constexpr (Enclosing<S>) {
+      return surface_.pieces();
+    } else {
+      return {};
+    }
+  }
+  std::optional<WayToSurface> way_to_surface(const Vec3& from, const Vec3& direction) const override {
+    const auto hit = surface_.cast_ray(from, UnitVec3::from_unit_unchecked(direction), infinity);
+    if (!hit) {
+      return std::nullopt;
+    }
+    return WayToSurface{hit->distance, dot(hit->normal, direction) < 0 ? -hit->normal : hit->normal,
+                        hit->feature.index};
+  }
+  PointOnSurface nearest(const Vec3& point) const override { return nearest_on_surface(surface_, point); }
   bool is_crest(std::uint32_t number, unsigned corners, const Vec3& direction, Real height) const override {
     return surface_.is_crest(number, corners, direction, height);
   }
@@ -86,7 +123,7 @@ class SourceOf final : public TriangleSource {
   }
 
   const S& surface_;
-  bool is_solid_;
+  StoppingSides sides_;
 };
 
 }  // namespace abut

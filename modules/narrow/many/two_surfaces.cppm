@@ -8,9 +8,6 @@ import abut.math;
 import abut.math.tolerance;
 import abut.narrow.convex;
 import abut.narrow.many.nearest_of_parts;
-import abut.narrow.many.solid_contacts;
-import abut.narrow.many.solid_depth;
-import abut.narrow.many.solid_pair_depth;
 export import abut.narrow.many.surfaces;
 import abut.narrow.many.triangle_source;
 import abut.narrow.many.two_parts;
@@ -18,28 +15,13 @@ import abut.narrow.many.two_sources;
 
 export namespace abut {
 
-// Nothing where no side is a solid, or where nothing is inside.
-template <Surface A, Surface B>
-[[nodiscard]] std::optional<SolidDepth> depth_of_solids(const A& a, const B& b, const Pose& ab,
-                                                        const QuerySettings& settings) {
-  if constexpr (Enclosing<A> && Enclosing<B>) {
-    if (a.is_solid() || b.is_solid()) {
-      return solid_pair_depth(a, b, ab, settings);
-    }
-  }
-  return std::nullopt;
-}
-
 template <Surface A, Surface B>
 [[nodiscard]] Outcome surfaces_contacts(const A& a, const B& b, const Pose& ab, const QuerySettings& settings,
                                         Manifold& out) {
   if (!parts_support(settings.algorithm)) {
     return Outcome::unsupported;
   }
-  const std::size_t first = out.size();
-  const std::optional<SolidDepth> depth = depth_of_solids(a, b, ab, settings);
-  contacts_of_surfaces(SourceOf<A>(a, depth.has_value()), SourceOf<B>(b, depth.has_value()), ab, settings, out);
-  settle_depth(depth, first, settings.margin, out);
+  contacts_of_surfaces(SourceOf<A>(a), SourceOf<B>(b), ab, settings, out);
   return Outcome::ok;
 }
 
@@ -82,9 +64,10 @@ template <Surface A, Surface B>
   if (!parts_support(settings.algorithm)) {
     return Outcome::unsupported;
   }
-  if (const auto depth = depth_of_solids(a, b, ab, settings)) {
-    out = distance_of(*depth);
-    return Outcome::ok;
+  if (stopping_sides(a) == StoppingSides::solid || stopping_sides(b) == StoppingSides::solid) {
+    if (depth_of_surfaces(SourceOf<A>(a), SourceOf<B>(b), ab, settings, out)) {
+      return Outcome::ok;
+    }
   }
   out = no_distance();
   Triangle other = b.part_near(ab.undo(a.aabb(Pose::identity()).centre()));

@@ -28,7 +28,7 @@ using abut::Vec3;
 class Soup final : public abut::GroundSurface {
  public:
   std::vector<TriangleCorners> triangles;
-  abut::GroundSides its_sides = abut::GroundSides::both;
+  abut::StoppingSides its_sides = abut::StoppingSides::both;
 
   void visit(const Aabb& box, const abut::TakeFour& take) const override {
     for (std::uint32_t first = 0; first < triangles.size(); first += 4) {
@@ -46,7 +46,7 @@ class Soup final : public abut::GroundSurface {
   }
   [[nodiscard]] Triangle part_near(const Vec3&) const override { return {triangles[0], 0, false}; }
   [[nodiscard]] bool is_crest(std::uint32_t, unsigned, const Vec3&, Real) const override { return true; }
-  [[nodiscard]] abut::GroundSides sides() const override { return its_sides; }
+  [[nodiscard]] abut::StoppingSides sides() const override { return its_sides; }
   [[nodiscard]] bool fills_below(const Vec3&, const Vec3&, const Aabb&) const override { return false; }
 };
 
@@ -141,7 +141,7 @@ TEST(FlatGround, MayBeWoundAnyWayWhereBothSidesCount) {
     std::swap(soup.triangles[i][1], soup.triangles[i][2]);
   }
   EXPECT_TRUE(is_flat(soup));
-  soup.its_sides = abut::GroundSides::front;
+  soup.its_sides = abut::StoppingSides::front;
   EXPECT_FALSE(is_flat(soup));
 }
 

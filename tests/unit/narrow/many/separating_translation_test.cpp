@@ -92,7 +92,8 @@ void check(const B& b, std::uint64_t seed) {
   int overlapping = 0;
   for (int scene = 0; scene < 12; ++scene) {
     const Pose ab{random.rotation(), {random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-0.2, 0.6)}};
-    abut::SurfaceSearch<B> search(source, b, ab, settings, 0, false), again(other, b, ab, settings, 0, false);
+    abut::SurfaceSearch<B> search(source, b, ab, settings, 0, abut::StoppingSides::both),
+        again(other, b, ab, settings, 0, abut::StoppingSides::both);
     ASSERT_EQ(search.is_overlapped(), again.is_overlapped());
     if (!search.is_overlapped()) {
       continue;
