@@ -571,8 +571,8 @@ typedef struct abut_response_finding {
 } abut_response_finding;
 
 /**
- * Looks for what is odd, by count-then-fill; ordered by code, rule and slots. An empty answer means that nothing was found. The first
- * call makes the universe measure times, as abut_universe_explain does.
+ * Looks for what is odd, by count-then-fill; ordered by code, rule and slots. An empty answer means that nothing was
+ * found. The first call makes the universe measure times, as abut_universe_explain does.
  * Complexity O(geometries of bodies + rules). [const]
  */
 ABUT_API abut_status abut_response_validate(const abut_response *response, abut_response_finding *findings,
@@ -602,8 +602,8 @@ ABUT_API abut_status abut_response_explain_json(const abut_response *response, c
 ABUT_API abut_status abut_response_save(const abut_response *response, void *bytes, size_t capacity, size_t *size);
 
 /**
- * Makes a response of bytes on a universe with the same ids, such as one of abut_universe_load. Steps then give the same
- * bits. Kinds of the caller get their functions by abut_response_add_kind, under their names; until then steps are
+ * Makes a response of bytes on a universe with the same ids, such as one of abut_universe_load. Steps then give the
+ * same bits. Kinds of the caller get their functions by abut_response_add_kind, under their names; until then steps are
  * refused. ABUT_INVALID_ARGUMENT for bytes that are no response, or damaged. [exclusive]
  */
 ABUT_API abut_status abut_response_load(abut_universe *universe, const void *bytes, size_t size, abut_response **out);

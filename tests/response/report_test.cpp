@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cstring>
 #include <memory>
 #include <random>
 #include <string>
@@ -247,7 +246,7 @@ TEST(Bytes, AreRefusedWhereTheyAreDamaged) {
     std::uint64_t hash = 0xCBF29CE484222325U;
     for (std::size_t j = 24; j < bytes.size(); ++j) hash = (hash ^ bytes[j]) * 0x100000001B3U;
     const bool is_told = i % 2 == 0;
-    if (is_told) std::memcpy(&bytes[16], &hash, sizeof hash);
+    for (std::size_t j = 0; is_told && j < sizeof hash; ++j) bytes[16 + j] = static_cast<unsigned char>(hash >> 8 * j);
     const abut_status status = abut_response_load(its.scene.universe(), bytes.data(), bytes.size(), &loaded);
     if (status != ABUT_OK) {
       ++refused;
