@@ -420,11 +420,13 @@
   FIELD(abut_contact_problem, surface_velocities, 104, 8) \
   FIELD(abut_contact_problem, first_velocities, 112, 8)   \
   FIELD(abut_contact_problem, first_impulses, 120, 8)     \
-  TYPE(abut_solver_options, 24)                           \
+  TYPE(abut_solver_options, 32)                           \
   FIELD(abut_solver_options, struct_size, 0, 4)           \
   FIELD(abut_solver_options, most_rounds, 4, 4)           \
   FIELD(abut_solver_options, tolerance, 8, 8)             \
   FIELD(abut_solver_options, speed, 16, 8)                \
+  FIELD(abut_solver_options, solver, 24, 4)               \
+  FIELD(abut_solver_options, reserved, 28, 4)             \
   TYPE(abut_residuals, 48)                                \
   FIELD(abut_residuals, contact, 0, 8)                    \
   FIELD(abut_residuals, motion, 8, 8)                     \
@@ -438,20 +440,44 @@
   FIELD(abut_mass_properties, mass, 0, 8)                 \
   FIELD(abut_mass_properties, centre, 8, 24)              \
   FIELD(abut_mass_properties, inertia, 32, 72)            \
-  TYPE(abut_response_options, 56)                         \
+  TYPE(abut_response_options, 64)                         \
   FIELD(abut_response_options, struct_size, 0, 4)         \
   FIELD(abut_response_options, most_rounds, 4, 4)         \
   FIELD(abut_response_options, gravity, 8, 24)            \
   FIELD(abut_response_options, tolerance, 32, 8)          \
   FIELD(abut_response_options, slop, 40, 8)               \
   FIELD(abut_response_options, flags, 48, 4)              \
-  FIELD(abut_response_options, reserved, 52, 4)           \
+  FIELD(abut_response_options, solver, 52, 4)             \
+  FIELD(abut_response_options, threads, 56, 4)            \
+  FIELD(abut_response_options, reserved, 60, 4)           \
   TYPE(abut_body_options, 120)                            \
   FIELD(abut_body_options, struct_size, 0, 4)             \
-  FIELD(abut_body_options, reserved, 4, 4)                \
+  FIELD(abut_body_options, integrator, 4, 4)              \
   FIELD(abut_body_options, density, 8, 8)                 \
   FIELD(abut_body_options, mass, 16, 104)                 \
-  TYPE(abut_response_contact, 144)                        \
+  TYPE(abut_contact_law, 64)                              \
+  FIELD(abut_contact_law, friction_primary, 0, 8)         \
+  FIELD(abut_contact_law, friction_secondary, 8, 8)       \
+  FIELD(abut_contact_law, compliance, 16, 8)              \
+  FIELD(abut_contact_law, offset, 24, 8)                  \
+  FIELD(abut_contact_law, pull, 32, 8)                    \
+  FIELD(abut_contact_law, surface_velocity, 40, 24)       \
+  TYPE(abut_response_side, 12)                            \
+  FIELD(abut_response_side, kind, 0, 4)                   \
+  FIELD(abut_response_side, slot, 4, 4)                   \
+  FIELD(abut_response_side, generation, 8, 4)             \
+  TYPE(abut_link_options, 104)                            \
+  FIELD(abut_link_options, struct_size, 0, 4)             \
+  FIELD(abut_link_options, reserved, 4, 4)                \
+  FIELD(abut_link_options, a, 8, 8)                       \
+  FIELD(abut_link_options, b, 16, 8)                      \
+  FIELD(abut_link_options, point_a, 24, 24)               \
+  FIELD(abut_link_options, point_b, 48, 24)               \
+  FIELD(abut_link_options, stiffness, 72, 8)              \
+  FIELD(abut_link_options, damping, 80, 8)                \
+  FIELD(abut_link_options, most_force, 88, 8)             \
+  FIELD(abut_link_options, break_force, 96, 8)            \
+  TYPE(abut_response_contact, 152)                        \
   FIELD(abut_response_contact, geometry_a, 0, 8)          \
   FIELD(abut_response_contact, geometry_b, 8, 8)          \
   FIELD(abut_response_contact, id, 16, 8)                 \
@@ -463,14 +489,35 @@
   FIELD(abut_response_contact, normal_velocity, 128, 8)   \
   FIELD(abut_response_contact, state, 136, 4)             \
   FIELD(abut_response_contact, island, 140, 4)            \
-  TYPE(abut_response_island, 56)                          \
+  FIELD(abut_response_contact, kind, 144, 4)              \
+  FIELD(abut_response_contact, reserved, 148, 4)          \
+  TYPE(abut_response_object, 88)                          \
+  FIELD(abut_response_object, geometry_a, 0, 8)           \
+  FIELD(abut_response_object, geometry_b, 8, 8)           \
+  FIELD(abut_response_object, kind, 16, 4)                \
+  FIELD(abut_response_object, event, 20, 4)               \
+  FIELD(abut_response_object, contact_count, 24, 4)       \
+  FIELD(abut_response_object, bond_count, 28, 4)          \
+  FIELD(abut_response_object, age, 32, 4)                 \
+  FIELD(abut_response_object, reserved, 36, 4)            \
+  FIELD(abut_response_object, impulse, 40, 24)            \
+  FIELD(abut_response_object, force, 64, 24)              \
+  TYPE(abut_response_island, 64)                          \
   FIELD(abut_response_island, body_count, 0, 4)           \
   FIELD(abut_response_island, contact_count, 4, 4)        \
-  FIELD(abut_response_island, residuals, 8, 48)           \
+  FIELD(abut_response_island, integrator, 8, 4)           \
+  FIELD(abut_response_island, reserved, 12, 4)            \
+  FIELD(abut_response_island, residuals, 16, 48)          \
   TYPE(abut_energy, 64)                                   \
   FIELD(abut_energy, kinetic, 0, 8)                       \
   FIELD(abut_energy, potential, 8, 8)                     \
   FIELD(abut_energy, linear_momentum, 16, 24)             \
-  FIELD(abut_energy, angular_momentum, 40, 24)
+  FIELD(abut_energy, angular_momentum, 40, 24)            \
+  TYPE(abut_response_finding, 192)                        \
+  FIELD(abut_response_finding, code, 0, 4)                \
+  FIELD(abut_response_finding, rule, 4, 4)                \
+  FIELD(abut_response_finding, part, 8, 8)                \
+  FIELD(abut_response_finding, geometry, 16, 8)           \
+  FIELD(abut_response_finding, message, 24, 168)
 
 #endif
