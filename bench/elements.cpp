@@ -79,7 +79,7 @@ Cloth read_cloth(const std::string& path) {
   return cloth;
 }
 
-// Of the process, so that other programs do not count.
+// The time is that of this process, so that other programs do not count.
 double processor_milliseconds() { return 1e3 * static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 double wall_milliseconds() {
   return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now().time_since_epoch()).count();
@@ -155,7 +155,7 @@ Cloth moved(Cloth cloth) {
   return cloth;
 }
 
-// Of all candidates between two frames, how many touch in exact arithmetic.
+// The count of candidates between two frames that touch, in exact arithmetic.
 Counts count_touches(const Cloth& cloth, const Cloth& next, const abut::Workers& workers) {
   const abut::ElementTable table(cloth.vertices.size(), cloth.triangles);
   abut::ElementTree tree(table, cloth.triangles, cloth.vertices, workers);

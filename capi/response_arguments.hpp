@@ -29,7 +29,7 @@ inline constexpr std::uint32_t most_threads = 256;
 /// Numbers that contacts take from materials, and from what the caller makes of these.
 [[nodiscard]] abut_status check_material(const abut_contact_material& material) noexcept;
 
-/// What the callback of a kind has made of a law.
+/// The law that the callback of a kind has made.
 [[nodiscard]] abut_status check_law(const abut_contact_law& law) noexcept;
 
 [[nodiscard]] abut_status check_options(const abut_link_options& options) noexcept;

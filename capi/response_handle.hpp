@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What stands behind abut_response, and what keeps exceptions and calls from within a step out.
+// The object behind abut_response. It keeps out exceptions, and calls from within a step.
 #ifndef ABUT_CAPI_RESPONSE_HANDLE_HPP
 #define ABUT_CAPI_RESPONSE_HANDLE_HPP
 

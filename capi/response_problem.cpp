@@ -57,14 +57,7 @@ constexpr abut_solver_options usual_options{.struct_size = sizeof(abut_solver_op
     place[1] = impulse.y;
     place[2] = impulse.z;
   }
-  out = {.contact = report.residuals.contact,
-         .motion = report.residuals.motion,
-         .dissipation = report.residuals.dissipation,
-         .speed = report.speed,
-         .rounds = report.rounds,
-         .newton_steps = report.newton_steps,
-         .is_converged = report.is_converged ? 1U : 0U,
-         .reserved = 0};
+  out = abut::response::residuals_of(report);
   return ABUT_OK;
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What response.h tells of a response, and its bytes.
+// Words, findings and bytes of a response, as response.h has them.
 #include <abut/response.h>
 
 #include "core/check.hpp"

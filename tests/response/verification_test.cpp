@@ -153,7 +153,7 @@ TEST(Verification, LetsACardStandBySoMuchFriction) {
 }
 
 // The public benchmark of Kang and Hwangbo, "rolling": a box of 10 kg slides under 25 balls of 1 kg that roll on it.
-// The friction of the ground is 0.4 (35 g), so a_ball = (150 - 137.34) / 60, and the box is 3.5 times as fast.
+// The friction of the ground is 0.4 (35 g), so a_ball = (150 - 137.34) / 60. The box is 3.5 times as fast.
 TEST(Verification, RollsBallsOnABoxThatSlides) {
   for (const abut_vec3& force : {abut_vec3{0, 150, 0}, abut_vec3{75, 150 * std::sqrt(0.75), 0}}) {
     for (const double step : {1e-2, 0.1}) {

@@ -60,6 +60,32 @@ TEST(Flush, CubesSideBySideTouch) {
   }
 }
 
+// The L of (0, 0), (2, 0), (2, 1), (1, 1), (1, 2), (0, 2), one high. Its notch is a cube of side 1.
+test::Surface corner() {
+  test::Surface out;
+  const std::array<std::array<double, 2>, 6> around{{{0, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 2}}};
+  for (const double z : {0.0, 1.0}) {
+    for (const auto& [x, y] : around) out.xyz.insert(out.xyz.end(), {x, y, z});
+  }
+  out.triangles = {9, 10, 11, 9, 11, 6, 9, 6, 7, 9, 7, 8, 3, 5, 4, 3, 0, 5, 3, 1, 0, 3, 2, 1};
+  for (std::uint32_t i = 0; i < 6; ++i) {
+    const std::uint32_t next = (i + 1) % 6;
+    out.triangles.insert(out.triangles.end(), {i, next, next + 6, i, next + 6, i + 6});
+  }
+  return out;
+}
+
+// Boxes around both overlap, and the cube has both faces of the notch, but no volume is shared.
+TEST(Flush, CubeInANotchTouches) {
+  const ShapePtr notched = mesh(corner()), cube = mesh(box_surface(0.5, 0.5, 0.5));
+  expect_depth(notched, cube, {1.5, 1.5, 0.5}, 0, "in the notch");
+  expect_depth(notched, cube, {1.5, 1.5, 0.25}, 0, "in the notch, lower");
+  expect_depth(notched, cube, {1.25, 1.5, 0.5}, 0.25, "in a wall");
+  expect_depth(notched, cube, {1.5, 1.125, 0.5}, 0.375, "in the other wall");
+  const abut_distance both = distance(notched, cube, at(1.25, 1.25, 0.5));
+  EXPECT_NEAR(both.distance, -0.25 * std::sqrt(2), 1e-11);
+}
+
 class Boxes {
  public:
   explicit Boxes(std::uint32_t seed) : random_(seed) {}

@@ -9,7 +9,6 @@ import abut.math.tolerance;
 import abut.narrow.convex;
 import abut.narrow.many.leaving_pairs;
 import abut.narrow.many.placed_triangles;
-import abut.narrow.many.quick_axes;
 import abut.narrow.many.translation_search;
 import abut.narrow.many.triangle_source;
 
@@ -59,26 +58,6 @@ std::optional<CrossingSurfaces::PointInside> CrossingSurfaces::piece_inside(cons
   return std::nullopt;
 }
 
-template <class Take>
-void CrossingSurfaces::visit_near(const Vec3& direction, Real length, Real slack, const Take& take) const {
-  const Vec3 move = length * direction;
-  bool goes_on = true;
-  visit_fours(a_, b_, {direction, length}, slack, [&](std::size_t of_a, std::size_t of_b) {
-    const PlacedFour &four_a = a_.fours()[of_a], &four_b = b_.fours()[of_b];
-    for (std::uint64_t left = goes_on ? four_a.present : 0; left != 0; left &= left - 1) {
-      const auto lane = static_cast<std::size_t>(std::countr_zero(left));
-      const PlacedTriangle a = placed_triangle(four_a, lane);
-      const auto& [p, q, r] = a.corners;
-      const TriangleCorners back{p - move, q - move, r - move};
-      std::uint64_t near = four_b.present & b_.children(0, of_b).overlapping(box_around(back).inflated(slack));
-      near = near == 0 ? 0 : near & QuickAxes<Triangle>::near(FourTriangles::all(back), four_b.triangles, slack);
-      for (; near != 0 && goes_on; near &= near - 1) {
-        goes_on = take(a, placed_triangle(four_b, static_cast<std::size_t>(std::countr_zero(near))));
-      }
-    }
-  });
-}
-
 // Where faces of solids lie in each other, or end at each other, triangles touch but do not cross, although both share
 // a volume. Then triangles that touch have a side in both.
 std::optional<CrossingSurfaces::PointInside> CrossingSurfaces::flush_inside(const Vec3& direction, Real length) const {
@@ -86,7 +65,7 @@ std::optional<CrossingSurfaces::PointInside> CrossingSurfaces::flush_inside(cons
   std::optional<PointInside> found;
   std::uint32_t last = no_index;
   // What is near may lie between a touch and a piece that is inside.
-  visit_near(direction, length, tie(), [&](const PlacedTriangle& a, const PlacedTriangle& b) {
+  visit_near(a_, b_, {direction, length}, tie(), [&](const PlacedTriangle& a, const PlacedTriangle& b) {
     if (std::exchange(last, a.number) != a.number) {
       found = flush_inside(a, true, move);
     }
@@ -210,15 +189,16 @@ Real CrossingSurfaces::climb(Vec3 place, Real most) const {
 // What was inside may reach the surface with a whole face, without crossing it.
 void CrossingSurfaces::visit_faces_met(const SeparatingTranslation& translation, const TakeTouched& take) const {
   constexpr Real same_normal = 1 - 1e-9;
-  visit_near(translation.direction, translation.length, tie(), [&](const PlacedTriangle& a, const PlacedTriangle& b) {
-    const Vec3 of_a = a.part().normal(), of_b = b.part().normal();
-    const Real along = dot(of_a, translation.direction), cosine = dot(of_a, of_b);
-    if (std::fabs(cosine) > same_normal && std::fabs(along) > 1e-6) {
-      const Vec3 normal = along > 0 ? of_a : -of_a;
-      take({a, b, normal, dot(normal, a.corners[0] - b.corners[0]) / std::fabs(along)});
-    }
-    return true;
-  });
+  visit_near(a_, b_, {translation.direction, translation.length}, tie(),
+             [&](const PlacedTriangle& a, const PlacedTriangle& b) {
+               const Vec3 of_a = a.part().normal(), of_b = b.part().normal();
+               const Real along = dot(of_a, translation.direction), cosine = dot(of_a, of_b);
+               if (std::fabs(cosine) > same_normal && std::fabs(along) > 1e-6) {
+                 const Vec3 normal = along > 0 ? of_a : -of_a;
+                 take({a, b, normal, dot(normal, a.corners[0] - b.corners[0]) / std::fabs(along)});
+               }
+               return true;
+             });
 }
 
 }  // namespace abut

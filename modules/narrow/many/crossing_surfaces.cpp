@@ -51,10 +51,6 @@ Lanes lowest_along(const FourTriangles& t, const Columns& direction) {
 
 }  // namespace
 
-PlacedTriangle placed_triangle(const PlacedFour& four, std::size_t lane) {
-  return {four.triangles[lane], std::span(four.triangles.numbers)[lane], (four.one_sided >> lane & 1u) != 0};
-}
-
 bool is_moved_first(const TriangleSource& a, const TriangleSource& b, const Pose& ab) {
   const Aabb box_a = a.aabb(Pose::identity()), box_b = b.aabb(Pose::identity());
   const Vec3 &from_a = ab.position, from_b = ab.inverse().position;
@@ -110,20 +106,9 @@ void CrossingSurfaces::look_for_pairs(const QuerySettings& settings, Real margin
   const Real reach = std::max(margin, Real{0}) + touching_;
   set_reaches({0, 0, 0});
   const Real none = 0;
-  visit_fours(a_, b_, {{0, 0, 0}, none}, reach, [&](std::size_t of_a, std::size_t of_b) {
-    const PlacedFour &four_a = a_.fours()[of_a], &four_b = b_.fours()[of_b];
-    for (std::uint64_t left = four_a.present; left != 0; left &= left - 1) {
-      const auto lane = static_cast<std::size_t>(std::countr_zero(left));
-      const Aabb box = a_.children(0, of_a)[lane].inflated(reach);
-      std::uint64_t near = four_b.present & b_.children(0, of_b).overlapping(box);
-      if (near != 0) {
-        near &= QuickAxes<Triangle>::near(FourTriangles::all(four_a.triangles[lane]), four_b.triangles, reach);
-      }
-      for (; near != 0; near &= near - 1) {
-        look_at(placed_triangle(four_a, lane),
-                placed_triangle(four_b, static_cast<std::size_t>(std::countr_zero(near))), settings, margin);
-      }
-    }
+  visit_near(a_, b_, {{0, 0, 0}, none}, reach, [&](const PlacedTriangle& of_a, const PlacedTriangle& of_b) {
+    look_at(of_a, of_b, settings, margin);
+    return true;
   });
   // The form of the trees does not matter.
   std::ranges::sort(near_.span(), {}, [](const NearPair& pair) { return std::tuple(pair.a.number, pair.b.number); });
@@ -234,8 +219,15 @@ SurfaceExit CrossingSurfaces::exit_along(const Vec3& direction, Real enough) {
   if (!leave_crossing(direction, enough, exit)) {
     return exit;
   }
+  // A way that leads from wall to wall for longer is given up, so that no scene is searched without end.
+  constexpr int most_walls = 64;
+  int walls = 0;
   do {
     if (exit.is_stopped || !leave_those_ahead(direction, enough, exit)) {
+      return exit;
+    }
+    if (++walls > most_walls) {
+      exit.stop({direction, infinity, {}});
       return exit;
     }
   } while (leave_inside(direction, enough, exit));

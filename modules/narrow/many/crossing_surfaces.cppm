@@ -7,23 +7,12 @@ import abut.core.standard;
 import abut.core;
 import abut.math;
 import abut.narrow.many.leaving_pairs;
-import abut.narrow.many.placed_triangles;
+export import abut.narrow.many.placed_triangles;
 export import abut.narrow.many.translation_search;
 import abut.narrow.many.triangle_contacts;
 import abut.narrow.many.triangle_source;
 
 export namespace abut {
-
-// A triangle in the frame of the first surface.
-struct PlacedTriangle {
-  TriangleCorners corners;
-  std::uint32_t number;
-  bool is_one_sided;
-
-  [[nodiscard]] Triangle part() const { return {corners, number, is_one_sided}; }
-};
-
-[[nodiscard]] PlacedTriangle placed_triangle(const PlacedFour& four, std::size_t lane);
 
 // Two triangles that overlap, touch, or are within the margin.
 struct NearPair {
@@ -137,10 +126,6 @@ class CrossingSurfaces final : private Obstacles {
   template <class Take>
   void visit_ahead(const Vec3& direction, const Real& length, const Take& take);
 
-  // Calls take(a, b), which returns whether to go on, for triangles that come within `slack` after a way, along which
-  // the reaches are.
-  template <class Take>
-  void visit_near(const Vec3& direction, Real length, Real slack, const Take& take) const;
   void visit_faces_met(const SeparatingTranslation& translation, const TakeTouched& take) const;
 
   void visit_planes(const TakePlane& take) const override;

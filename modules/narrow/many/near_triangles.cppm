@@ -80,8 +80,6 @@ class NearTriangles {
   [[nodiscard]] bool is_overlapped() const { return !overlapped_.empty(); }
   // Lengths below it are rounding, or less than the bound of the searches that are asked.
   [[nodiscard]] Real tolerance() const { return tolerance_; }
-  // No translation that ends the overlap is shorter.
-  [[nodiscard]] Real least() const { return least_; }
 
  protected:
   // Triangles that the box of b reaches on the way.
@@ -109,8 +107,8 @@ class NearTriangles {
   SmallVector<NearFour, 72> fours_;
   SmallVector<OverlappedFour, 16> overlapped_;
   SmallVector<NearTriangle, 32> near_;  // in the order of their numbers
-  Real least_ = 0;
-  Vec3 deepest_way_{0, 0, 1};  // out of the triangle that is the deepest by itself
+  Real least_ = 0;                      // no translation that ends the overlap is shorter
+  Vec3 deepest_way_{0, 0, 1};           // out of the triangle that is the deepest by itself
 
  private:
   static constexpr Real gather_share = 0.04;  // of the size of b, around its box

@@ -8,6 +8,7 @@ import abut.core;
 import abut.math;
 import abut.math.four_vec3;
 import abut.narrow.many.leaving_four;
+import abut.narrow.many.quick_axes;
 import abut.narrow.many.triangle_source;
 
 export namespace abut {
@@ -16,6 +17,17 @@ struct PlacedFour : FourFaces {
   std::uint64_t present;    // a bit for each lane with a triangle
   std::uint64_t one_sided;  // those with a front only
 };
+
+struct PlacedTriangle {
+  TriangleCorners corners;
+  std::uint32_t number;
+  bool is_one_sided;
+
+  [[nodiscard]] Triangle part() const { return {corners, number, is_one_sided}; }
+};
+[[nodiscard]] inline PlacedTriangle placed_triangle(const PlacedFour& four, std::size_t lane) {
+  return {four.triangles[lane], std::span(four.triangles.numbers)[lane], (four.one_sided >> lane & 1u) != 0};
+}
 
 // Of four children of a node; those that lack are nowhere.
 struct FourBoxes {
@@ -133,6 +145,33 @@ void visit_fours(const PlacedTriangles& a, const PlacedTriangles& b, const Surfa
            });
     }
   }
+}
+
+// Calls take(triangle of a, triangle of b), which returns whether to go on, for triangles that are within `slack` of
+// each other after a way. The reaches of both are those along it.
+template <class Take>
+void visit_near(const PlacedTriangles& a, const PlacedTriangles& b, const SurfaceWay& way, Real slack,
+                const Take& take) {
+  const Vec3 move = way.length * way.direction;
+  bool goes_on = true;
+  visit_fours(a, b, way, slack, [&](std::size_t of_a, std::size_t of_b) {
+    const PlacedFour &four_a = a.fours()[of_a], &four_b = b.fours()[of_b];
+    for (std::uint64_t left = goes_on ? four_a.present : 0; left != 0; left &= left - 1) {
+      const auto lane = static_cast<std::size_t>(std::countr_zero(left));
+      const Aabb at = a.children(0, of_a)[lane];
+      std::uint64_t near =
+          four_b.present & b.children(0, of_b).overlapping(Aabb{at.low - move, at.high - move}.inflated(slack));
+      if (near == 0) {
+        continue;
+      }
+      const PlacedTriangle one = placed_triangle(four_a, lane);
+      const auto& [p, q, r] = one.corners;
+      near &= QuickAxes<Triangle>::near(FourTriangles::all({p - move, q - move, r - move}), four_b.triangles, slack);
+      for (; near != 0 && goes_on; near &= near - 1) {
+        goes_on = take(one, placed_triangle(four_b, static_cast<std::size_t>(std::countr_zero(near))));
+      }
+    }
+  });
 }
 
 }  // namespace abut

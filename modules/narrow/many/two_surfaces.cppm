@@ -64,10 +64,9 @@ template <Surface A, Surface B>
   if (!parts_support(settings.algorithm)) {
     return Outcome::unsupported;
   }
-  if (stopping_sides(a) == StoppingSides::solid || stopping_sides(b) == StoppingSides::solid) {
-    if (depth_of_surfaces(SourceOf<A>(a), SourceOf<B>(b), ab, settings, out)) {
-      return Outcome::ok;
-    }
+  const bool has_solid = stopping_sides(a) == StoppingSides::solid || stopping_sides(b) == StoppingSides::solid;
+  if (has_solid && depth_of_surfaces(SourceOf<A>(a), SourceOf<B>(b), ab, settings, out)) {
+    return Outcome::ok;
   }
   out = no_distance();
   Triangle other = b.part_near(ab.undo(a.aabb(Pose::identity()).centre()));
@@ -92,7 +91,7 @@ template <Surface A, Surface B>
                   [&](std::uint32_t part, bool is_of_b) { return slab.gap_of(part, is_of_b) <= reach(); });
   out.lower = out.distance > rounding ? std::min(out.lower, out.distance - rounding) : out.lower;
   const Real noise = noise_of(core_size(triangle, other, ab));
-  if (out.distance < -noise) {
+  if (!has_solid && out.distance < -noise) {
     static_cast<void>(depth_of_surfaces(SourceOf<A>(a), SourceOf<B>(b), ab, settings, out));
   }
   return Outcome::ok;

@@ -43,7 +43,9 @@ void renumber(ContactRows& rows, const Island& island) {
   }
 }
 
-[[nodiscard]] abut_residuals residuals_of(const SolverReport& report) {
+}  // namespace
+
+abut_residuals residuals_of(const SolverReport& report) {
   return {.contact = report.residuals.contact,
           .motion = report.residuals.motion,
           .dissipation = report.residuals.dissipation,
@@ -53,8 +55,6 @@ void renumber(ContactRows& rows, const Island& island) {
           .is_converged = report.is_converged ? 1U : 0U,
           .reserved = 0};
 }
-
-}  // namespace
 
 // Velocities and impulses of an island, and a push apart. False where they are not finite.
 bool Simulation::solve_island(const Island& island, double ahead, Pass& pass, abut_response_island& told) const {

@@ -115,6 +115,9 @@ struct Pass {
 
 export namespace abut::response {
 
+// As the C interface tells them.
+[[nodiscard]] abut_residuals residuals_of(const SolverReport& report);
+
 [[nodiscard]] std::uint64_t hash_of(std::span<const std::byte> bytes);
 
 class Simulation {

@@ -103,7 +103,7 @@ void check(const B& b, std::uint64_t seed) {
     const abut::SeparatingTranslation found = search.find();
     const Pose after{ab.rotation, ab.position + found.length * found.direction};
     EXPECT_GE(deepest_overlap(mesh, b, after), -1e-9) << about();
-    EXPECT_GE(found.length, search.least() - 1e-9) << about();
+    EXPECT_GE(found.length, found.least - 1e-9) << about();
     EXPECT_FALSE(found.touches.empty()) << about();
     EXPECT_NEAR(again.find().length, found.length, 1e-9) << about();
     for (int i = 0; i < 8; ++i) {
