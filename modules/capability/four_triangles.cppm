@@ -57,6 +57,16 @@ struct FourTriangles {
   }
 };
 
+// Four triangles in the frame of a pose.
+[[nodiscard]] inline FourTriangles placed(const FourTriangles& four, const Pose& pose) {
+  const auto at = [&](const Columns& corner) {
+    const auto& [x, y, z] = pose.rotation;
+    return Columns::all(pose.position) + corner.x * Columns::all(x) + corner.y * Columns::all(y) +
+           corner.z * Columns::all(z);
+  };
+  return {at(four.a), at(four.b), at(four.c), four.numbers};
+}
+
 // A condition on triangles that answers for four at once, with a bit for each that meets it. It may also take a bit for
 // each of the four that is asked about; the others are no triangles to visit.
 template <class Ask>

@@ -29,7 +29,7 @@ constexpr Real lean_of_faces = 0.01;
 
 class Contacts {
  public:
-  Contacts(const TriangleSource& a, const TriangleSource& b, const Pose& ab, const QuerySettings& settings,
+  Contacts(const SurfaceSource& a, const SurfaceSource& b, const Pose& ab, const QuerySettings& settings,
            CrossingSurfaces& surfaces, bool is_swapped, Manifold& out)
       : a_(a), b_(b), ab_(ab), settings_(settings), surfaces_(surfaces), is_swapped_(is_swapped), out_(out) {}
 
@@ -126,7 +126,7 @@ class Contacts {
   // Calls visit(triangle) for what goes on beside a face, in its plane, near a triangle of the other surface: that may
   // lie over it without being overlapped. `local`: the face in the frame of its surface.
   template <class Visitor>
-  void visit_beside(const TriangleSource& surface, const Triangle& local, const PlacedTriangles& near,
+  void visit_beside(const SurfaceSource& surface, const Triangle& local, const PlacedTriangles& near,
                     const Vec3& normal, const Triangle& face, const Triangle& other, const Visitor& visit) const {
     const Real noise = surfaces_.touching();
     constexpr std::array<unsigned, 3> edges{0b011, 0b110, 0b101};
@@ -171,15 +171,15 @@ class Contacts {
       return !shares_corners && !is_along(outward, of.normal()) &&
              rises_at(near.fours(), point, outward, surfaces_.size(), noise);
     };
-    if (!rises(a_.shares_corners(), a, surfaces_.triangles_of_a(), core.point_a, normal) &&
-        !rises(b_.shares_corners(), b, surfaces_.triangles_of_b(), core.point_b, -normal)) {
+    if (!rises(a_.is_terrain(), a, surfaces_.triangles_of_a(), core.point_a, normal) &&
+        !rises(b_.is_terrain(), b, surfaces_.triangles_of_b(), core.point_b, -normal)) {
       append_under(a, b, core, true);
     }
   }
 
   // Whether no neighbour of a triangle reaches further along a normal, but for what leans. `local`: the same in the
   // frame of the surface.
-  [[nodiscard]] bool is_of_surface(const TriangleSource& surface, const PlacedTriangle& triangle, const Vec3& normal,
+  [[nodiscard]] bool is_of_surface(const SurfaceSource& surface, const PlacedTriangle& triangle, const Vec3& normal,
                                    const Vec3& local, Real lean) const {
     const Triangle part = triangle.part();
     if (!part.has_area() || is_along(normal, part.normal())) {
@@ -304,8 +304,8 @@ class Contacts {
     }
   }
 
-  const TriangleSource& a_;
-  const TriangleSource& b_;
+  const SurfaceSource& a_;
+  const SurfaceSource& b_;
   const Pose& ab_;
   const QuerySettings& settings_;
   CrossingSurfaces& surfaces_;
@@ -316,7 +316,7 @@ class Contacts {
   std::optional<TouchedPair> last_;
 };
 
-void append_contacts(const TriangleSource& a, const TriangleSource& b, const Pose& ab, const QuerySettings& settings,
+void append_contacts(const SurfaceSource& a, const SurfaceSource& b, const Pose& ab, const QuerySettings& settings,
                      bool is_swapped, Manifold& out) {
   CrossingSurfaces surfaces(a, b, ab, settings, settings.margin);
   const auto translation = surfaces.is_met() ? std::optional(surfaces.find()) : std::nullopt;
@@ -325,7 +325,7 @@ void append_contacts(const TriangleSource& a, const TriangleSource& b, const Pos
 
 }  // namespace
 
-void contacts_of_surfaces(const TriangleSource& a, const TriangleSource& b, const Pose& ab,
+void contacts_of_surfaces(const SurfaceSource& a, const SurfaceSource& b, const Pose& ab,
                           const QuerySettings& settings, Manifold& out) {
   const std::size_t first = out.size();
   if (!is_moved_first(a, b, ab)) {

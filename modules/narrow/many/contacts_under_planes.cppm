@@ -261,7 +261,7 @@ class ContactsUnderPlanes {
       return false;
     }
     const CoreSeparation whole = completed(triangle, b_, ab_, near.found);
-    return surface_.shares_corners() ||
+    return surface_.is_terrain() ||
            !rises_at(search_.fours(), whole.point_a, core.normal, b_.extent() + b_.radius(), noise);
   }
   void append_under(const Plane& plane, std::uint32_t ordinal) {
@@ -451,7 +451,7 @@ class ContactsUnderPlanes {
       const bool is_in_face =
           contact.feature_a.kind == FeatureKind::face || contact.feature_a.kind == FeatureKind::whole;
       contact.id = is_in_face ? contact_id_of_part(contact_id({FeatureKind::face, 0}, contact.feature_b), ordinal)
-                              : contact_id_of_part(contact.id, triangle.index());
+                              : contact_id_of_part(contact.id, surface_.number_in_shape(triangle.index()));
       contact.feature_a = {FeatureKind::face, triangle.index()};
       out_[kept++] = contact;
     }

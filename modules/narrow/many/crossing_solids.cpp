@@ -78,13 +78,13 @@ std::optional<CrossingSurfaces::PointInside> CrossingSurfaces::flush_inside(cons
 std::optional<CrossingSurfaces::PointInside> CrossingSurfaces::flush_inside(const PlacedTriangle& triangle,
                                                                             bool is_of_a, const Vec3& move) const {
   constexpr Real beside_share = 1e-6;  // of the size
-  const TriangleSource &own = is_of_a ? source_a_ : source_b_, &other = is_of_a ? source_b_ : source_a_;
+  const SurfaceSource &own = is_of_a ? source_a_ : source_b_, &other = is_of_a ? source_b_ : source_a_;
   if (other.sides() != StoppingSides::solid) {
     return std::nullopt;
   }
   const auto& [p, q, r] = triangle.corners;
   const Vec3 beside = beside_share * size_ * triangle.part().normal();
-  const auto is_in = [&](const TriangleSource& surface, bool is_a, const Vec3& place) {
+  const auto is_in = [&](const SurfaceSource& surface, bool is_a, const Vec3& place) {
     return surface.contains(is_a ? place : ab_.undo(place - move));
   };
   for (const auto& [of_p, of_q, of_r] :

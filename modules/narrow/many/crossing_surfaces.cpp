@@ -51,8 +51,8 @@ Lanes lowest_along(const FourTriangles& t, const Columns& direction) {
 
 }  // namespace
 
-bool is_moved_first(const TriangleSource& a, const TriangleSource& b, const Pose& ab) {
-  const Aabb box_a = a.aabb(Pose::identity()), box_b = b.aabb(Pose::identity());
+bool is_moved_first(const SurfaceSource& a, const SurfaceSource& b, const Pose& ab) {
+  const Aabb box_a = a.box(), box_b = b.box();
   const Vec3 &from_a = ab.position, from_b = ab.inverse().position;
   const auto key = [](const Aabb& box, const Vec3& other) {
     return std::tuple(box.low.x, box.low.y, box.low.z, box.high.x, box.high.y, box.high.z, other.x, other.y, other.z);
@@ -60,9 +60,9 @@ bool is_moved_first(const TriangleSource& a, const TriangleSource& b, const Pose
   return key(box_b, from_b) < key(box_a, from_a);
 }
 
-CrossingSurfaces::CrossingSurfaces(const TriangleSource& a, const TriangleSource& b, const Pose& ab,
+CrossingSurfaces::CrossingSurfaces(const SurfaceSource& a, const SurfaceSource& b, const Pose& ab,
                                    const QuerySettings& settings, Real margin)
-    : source_a_(a), source_b_(b), ab_(ab), box_a_(a.aabb(Pose::identity())), box_b_(b.aabb(ab)) {
+    : source_a_(a), source_b_(b), ab_(ab), box_a_(a.box()), box_b_(transformed(b.box(), ab)) {
   const auto half = [](const Aabb& box) { return 0.5 * largest_magnitude(box.high - box.low); };
   size_ = std::min(half(box_a_), half(box_b_));
   gather(std::max(margin, Real{0}) + gather_share * size_);

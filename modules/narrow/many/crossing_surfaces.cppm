@@ -31,12 +31,12 @@ struct TouchedPair {
 
 // Whether a search moves the first one of two surfaces. It is the same one in any order of both, so that the order has
 // no say.
-[[nodiscard]] bool is_moved_first(const TriangleSource& a, const TriangleSource& b, const Pose& ab);
+[[nodiscard]] bool is_moved_first(const SurfaceSource& a, const SurfaceSource& b, const Pose& ab);
 
 class CrossingSurfaces final : private Obstacles {
  public:
   // Looks for all pairs within `margin`.
-  CrossingSurfaces(const TriangleSource& a, const TriangleSource& b, const Pose& ab, const QuerySettings& settings,
+  CrossingSurfaces(const SurfaceSource& a, const SurfaceSource& b, const Pose& ab, const QuerySettings& settings,
                    Real margin);
 
   // By the numbers of the triangles of a, then of b.
@@ -134,8 +134,8 @@ class CrossingSurfaces final : private Obstacles {
   void visit_own_directions(bool are_few, std::span<const TranslationStart> starts,
                             const TakeStart& take) const override;
 
-  const TriangleSource& source_a_;
-  const TriangleSource& source_b_;
+  const SurfaceSource& source_a_;
+  const SurfaceSource& source_b_;
   const Pose& ab_;
   Aabb box_a_, box_b_;
   PlacedTriangles a_, b_;

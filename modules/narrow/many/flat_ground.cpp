@@ -26,7 +26,7 @@ Real most_thickness(Real size, Real coordinate) {
 }
 
 // A triangle with an area whose box overlaps a box.
-std::optional<Triangle> triangle_within(const GroundSurface& surface, const Aabb& box, const Vec3& near) {
+std::optional<Triangle> triangle_within(const TriangleSource& surface, const Aabb& box, const Vec3& near) {
   const Triangle first = surface.part_near(near);
   if (first.has_area() && first.box().overlaps(box)) [[likely]] {
     return first;
@@ -46,7 +46,7 @@ std::optional<Triangle> triangle_within(const GroundSurface& surface, const Aabb
 
 // Whether a neighbour across an edge that meets a box leaves the plane of a triangle. Most ground that is not flat is
 // told by one triangle.
-bool bends_at(const GroundSurface& surface, const Triangle& triangle, const Aabb& box, Real thickness) {
+bool bends_at(const TriangleSource& surface, const Triangle& triangle, const Aabb& box, Real thickness) {
   const Aabb its = triangle.box();
   const Vec3 size = its.high - its.low, &n = triangle.normal();
   const Real height = thickness + 8 * FlatPatch::lean * (size.x + size.y + size.z);
@@ -82,9 +82,16 @@ Vec3 point_in(const GroundSlab& slab, const Extremes& extremes) {
   return inside + (middle - dot(slab.normal, inside)) * slab.normal;
 }
 
+// Of a solid without a triangle in a box, but for flat ground that parts two points in it: whether it fills one side.
+bool fills_below(const TriangleSource& surface, const Vec3& below, const Vec3& above, const Aabb& box) {
+  // The floor of a terrain has no triangles.
+  return surface.is_terrain() ? surface.box().low.z < box.low.z && surface.contains(below)
+                              : surface.contains(below) && !surface.contains(above);
+}
+
 }  // namespace
 
-std::optional<FlatGround> flat_ground(const GroundSurface& surface, const GroundBody& body, Real margin,
+std::optional<FlatGround> flat_ground(const TriangleSource& surface, const GroundBody& body, Real margin,
                                       Real most_gap) {
   const StoppingSides sides = surface.sides();
   const Real coordinate = largest_magnitude(body.centre) + 2 * body.size, noise = noise_of(coordinate),
@@ -127,7 +134,7 @@ std::optional<FlatGround> flat_ground(const GroundSurface& surface, const Ground
   const Vec3 &n = slab->normal, point = point_in(*slab, extremes);
   const std::optional<std::uint32_t> triangle = patch.triangle_at(point, std::max(step / 64, 8 * noise));
   if (!triangle || (sides == StoppingSides::solid &&
-                    !surface.fills_below(point - 0.5 * step * n, point + 0.5 * step * n, body.box.inflated(grown)))) {
+                    !fills_below(surface, point - 0.5 * step * n, point + 0.5 * step * n, body.box.inflated(grown)))) {
     return std::nullopt;
   }
   return FlatGround(front ? n : -n, front ? slab->high : -slab->low, slab->high - slab->low, noise, *triangle);

@@ -13,24 +13,9 @@ import abut.core;
 import abut.math;
 import abut.narrow.many.flat_patch;
 import abut.narrow.many.half_space;
-export import abut.narrow.many.stopping_sides;
+import abut.narrow.many.triangle_source;
 
 export namespace abut {
-
-// A surface behind functions, so that the search is compiled once.
-class GroundSurface {
- public:
-  virtual void visit(const Aabb& box, const TakeFour& take) const = 0;
-  [[nodiscard]] virtual Triangle part_near(const Vec3& point) const = 0;
-  [[nodiscard]] virtual bool is_crest(std::uint32_t index, unsigned corners, const Vec3& direction,
-                                      Real height) const = 0;
-  [[nodiscard]] virtual StoppingSides sides() const = 0;
-  // Of a solid without a triangle in a box, but for flat ground that parts two points in it: whether it fills one side.
-  [[nodiscard]] virtual bool fills_below(const Vec3& below, const Vec3& above, const Aabb& box) const = 0;
-
- protected:
-  ~GroundSurface() = default;
-};
 
 // Where a placed core begins and ends along a direction.
 struct Extremes {
@@ -80,44 +65,8 @@ static_assert(HalfSpace<FlatGround>);
 
 // The flat ground around a shape, if a surface is that. It answers for contacts up to `margin`, which is not negative.
 // A shape that is apart by more than `most_gap` is left to others.
-[[nodiscard]] std::optional<FlatGround> flat_ground(const GroundSurface& surface, const GroundBody& body, Real margin,
+[[nodiscard]] std::optional<FlatGround> flat_ground(const TriangleSource& surface, const GroundBody& body, Real margin,
                                                     Real most_gap);
-
-template <Surface A>
-class GroundOf final : public GroundSurface {
- public:
-  explicit GroundOf(const A& a) : a_(a) {}
-
-  void visit(const Aabb& box, const TakeFour& take) const override {
-    Aabb query = box;
-    bool goes_on = true;
-    const auto ask = [&](const FourTriangles& triangles, std::uint64_t some) -> std::uint64_t {
-      goes_on = goes_on && take(triangles, some);
-      query = goes_on ? query : Aabb::empty();
-      return 0;
-    };
-    a_.visit_parts(query, InFours{ask}, AcceptsAnyPart{});
-  }
-  [[nodiscard]] Triangle part_near(const Vec3& point) const override { return a_.part_near(point); }
-  [[nodiscard]] bool is_crest(std::uint32_t index, unsigned corners, const Vec3& direction,
-                              Real height) const override {
-    return a_.is_crest(index, corners, direction, height);
-  }
-  [[nodiscard]] StoppingSides sides() const override { return stopping_sides(a_); }
-  [[nodiscard]] bool fills_below(const Vec3& below, const Vec3& above, const Aabb& box) const override {
-    if constexpr (Terrain<A>) {
-      // The floor has no triangles.
-      return a_.aabb(Pose::identity()).low.z < box.low.z && a_.contains(below);
-    } else if constexpr (Enclosing<A>) {
-      return a_.contains(below) && !a_.contains(above);
-    } else {
-      return false;
-    }
-  }
-
- private:
-  const A& a_;
-};
 
 template <Convex B>
 class GroundBodyOf final : public GroundBody {
@@ -135,18 +84,18 @@ class GroundBodyOf final : public GroundBody {
   const Pose& ab_;
 };
 
-template <Surface A, Convex B>
-[[nodiscard]] std::optional<FlatGround> flat_ground(const A& a, const B& b, const Pose& ab,
+template <Convex B>
+[[nodiscard]] std::optional<FlatGround> flat_ground(const TriangleSource& surface, const B& b, const Pose& ab,
                                                     const QuerySettings& settings, Real margin, Real most_gap) {
-  return settings.algorithm == Algorithm::automatic
-             ? flat_ground(GroundOf<A>(a), GroundBodyOf<B>(b, ab), margin, most_gap)
-             : std::nullopt;
+  return settings.algorithm == Algorithm::automatic ? flat_ground(surface, GroundBodyOf<B>(b, ab), margin, most_gap)
+                                                    : std::nullopt;
 }
 
 // Whether a surface is flat around a shape; then `out` is the distance.
-template <Surface A, Convex B>
-[[nodiscard]] bool flat_distance(const A& a, const B& b, const Pose& ab, const QuerySettings& settings, Distance& out) {
-  const std::optional<FlatGround> ground = flat_ground(a, b, ab, settings, 0, infinity);
+template <Convex B>
+[[nodiscard]] bool flat_distance(const TriangleSource& surface, const B& b, const Pose& ab,
+                                 const QuerySettings& settings, Distance& out) {
+  const std::optional<FlatGround> ground = flat_ground(surface, b, ab, settings, 0, infinity);
   if (!ground || half_space_distance(*ground, b, ab, settings, out) != Outcome::ok) {
     return false;
   }
@@ -156,10 +105,11 @@ template <Surface A, Convex B>
 }
 
 // Whether a surface is flat around a shape; then the contacts have been added.
-template <Surface A, Convex B>
-[[nodiscard]] bool flat_contacts(const A& a, const B& b, const Pose& ab, const QuerySettings& settings, Manifold& out) {
+template <Convex B>
+[[nodiscard]] bool flat_contacts(const TriangleSource& surface, const B& b, const Pose& ab,
+                                 const QuerySettings& settings, Manifold& out) {
   const std::optional<FlatGround> ground =
-      flat_ground(a, b, ab, settings, std::max(settings.margin, Real{0}), settings.margin);
+      flat_ground(surface, b, ab, settings, std::max(settings.margin, Real{0}), settings.margin);
   const std::size_t first = out.size();
   if (!ground || half_space_contacts(*ground, b, ab, settings, out) != Outcome::ok) {
     return false;

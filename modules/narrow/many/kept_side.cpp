@@ -73,6 +73,28 @@ void SidesOfParts::spread_from(std::size_t at, bool is_front) {
   }
 }
 
+std::vector<SideOfPart> sides_around(std::span<const Triangle> triangles, std::span<const SideOfPart> known) {
+  std::vector<TriangleCorners> corners;
+  corners.reserve(triangles.size());
+  for (const Triangle& triangle : triangles) {
+    corners.push_back(triangle.corners());
+  }
+  SidesOfParts sides(corners);
+  for (std::size_t at = 0, next = 0; at < triangles.size() && next < known.size(); ++at) {
+    if (triangles[at].index() == known[next].part) {
+      sides.set(at, known[next++].is_front);
+    }
+  }
+  sides.spread();
+  std::vector<SideOfPart> all;
+  for (std::size_t at = 0; at < triangles.size(); ++at) {
+    if (sides.is_known(at)) {
+      all.push_back({triangles[at].index(), sides.is_front(at)});
+    }
+  }
+  return all;
+}
+
 std::optional<std::size_t> find_part(std::span<const TouchedPart> touched, std::uint32_t part) {
   const auto at =
       std::lower_bound(touched.begin(), touched.end(), part,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The side of a surface from which a body came, triangle by triangle, and what of its contacts is on the other side.
+// The side of a surface from which a body came, triangle by triangle.
 //
 // A triangle tells nothing of how a body came to where it is. So a pair may remember it. A triangle that is met anew
 // takes its side from a neighbour across an edge, which the winding of both tells; else from its contact, or from where
@@ -66,11 +66,6 @@ template <class CornersOf>
 [[nodiscard]] inline bool goes_around(const ContactPoint& contact, Real along, const SideMemory& before) {
   return along < -1e-6 && !is_of_face(along) && dot(contact.normal, before.normal) > 0;
 }
-// Whether a contact is on the side from which the body came.
-[[nodiscard]] inline bool is_on_side(const ContactPoint& contact, Real along, const SideMemory& before) {
-  return along >= -1e-6 || goes_around(contact, along, before);
-}
-
 // Samples of a height field may have gone.
 [[nodiscard]] inline bool are_finite(const TriangleCorners& corners) {
   return is_finite(corners[0]) && is_finite(corners[1]) && is_finite(corners[2]);
@@ -79,41 +74,9 @@ template <class CornersOf>
 // The place of a triangle among those that are touched, which are in order.
 [[nodiscard]] std::optional<std::size_t> find_part(std::span<const TouchedPart> touched, std::uint32_t part);
 
-// A way out of a triangle to the side of the body.
-struct WayBack {
-  std::size_t part;  // among those that are touched
-  Vec3 normal;
-  Real depth;
-};
-
-// The ways out of triangles that the body has passed, the least first. A triangle has none where another way, or a
-// contact that stays, parts it from the body as well. `lowest_along`: where the body begins along a direction.
-template <class LowestAlong>
-[[nodiscard]] std::vector<WayBack> ways_back(std::span<const TouchedPart> touched, const SidesOfParts& sides,
-                                             std::span<const std::size_t> passed, std::span<const ContactPoint> staying,
-                                             Real noise, const LowestAlong& lowest_along) {
-  std::vector<WayBack> ways, kept;
-  for (const std::size_t at : passed) {
-    const Triangle& triangle = touched[at].triangle;
-    const Vec3 normal = sides.is_front(at) ? triangle.normal() : -triangle.normal();
-    ways.push_back({at, normal, dot(normal, triangle.corners()[0]) - lowest_along(normal)});
-  }
-  std::ranges::sort(ways, {}, [](const WayBack& way) { return std::pair(way.depth, way.part); });
-  for (const WayBack& way : ways) {
-    const TriangleCorners& corners = touched[way.part].triangle.corners();
-    const auto parts = [&](const Vec3& normal, Real depth) {
-      return -least_along(corners, -normal) - lowest_along(normal) <= depth + noise;
-    };
-    const bool is_parted =
-        std::ranges::any_of(kept, [&](const WayBack& other) { return parts(other.normal, other.depth); }) ||
-        std::ranges::any_of(staying,
-                            [&](const ContactPoint& contact) { return parts(contact.normal, -contact.distance); });
-    if (!is_parted) {
-      kept.push_back(way);
-    }
-  }
-  return kept;
-}
+// The sides of triangles and of all that edges connect with them, from those that are known. Both are in order.
+[[nodiscard]] std::vector<SideOfPart> sides_around(std::span<const Triangle> triangles,
+                                                   std::span<const SideOfPart> known);
 
 template <class CornersOf>
 SidesOfParts sides_of(std::span<const TouchedPart> touched, std::span<const ContactPoint> contacts,

@@ -20,6 +20,7 @@ export namespace abut {
 struct NearFour : FourFaces {
   std::uint64_t present;     // a bit for each lane with a triangle
   std::uint64_t one_sided;   // those with a front only
+  std::uint64_t holding;     // those that hold what is behind them
   std::uint64_t overlapped;  // those that count as overlapped at the start
   bool has_planes;           // whether normals and heights are known
 };
@@ -94,7 +95,8 @@ class NearTriangles {
     wider.include(box);
     const Aabb before = std::exchange(covered_, wider);
     surface_.visit(covered_, [&](const FourTriangles& four, std::uint64_t present) {
-      add(four, present & ~four.overlapping(before));
+      add(four, present & ~(surface_.is_placed() ? known_of(four) : four.overlapping(before)));
+      return true;
     });
   }
   const TriangleSource& surface_;
@@ -120,7 +122,10 @@ class NearTriangles {
   void gather(Real margin) {
     const Real wanted = std::max(margin, Real{0}) + edge_slack(b_, ab_);
     covered_ = box_.inflated(wanted + gather_share * size_);
-    surface_.visit(covered_, [this](const FourTriangles& four, std::uint64_t present) { add(four, present); });
+    surface_.visit(covered_, [this](const FourTriangles& four, std::uint64_t present) {
+      add(four, present);
+      return true;
+    });
     const QuickAxes<B> axes(b_, ab_);
     const Real limit = std::max(margin + b_.radius() + edge_slack(b_, ab_), touching_ + b_.radius());
     const Aabb query = box_.inflated(wanted);
@@ -148,7 +153,9 @@ class NearTriangles {
     if (present == 0) {
       return;
     }
-    const std::uint64_t one_sided = sides_ == StoppingSides::both ? 0 : surface_.one_sided(four);
+    const bool has_fronts = sides_ != StoppingSides::both;
+    const std::uint64_t one_sided = has_fronts ? surface_.one_sided(four) : 0,
+                        holding = has_fronts ? surface_.holding(four) : 0;
     const Lanes sizes = four.size();
     Real largest_of_them = 0;
     for (std::uint64_t left = present; left != 0; left &= left - 1) {
@@ -159,7 +166,7 @@ class NearTriangles {
     constexpr Real usual = Curved<B> ? usual_error_of_curves : usual_error;
     tolerance_ = std::max({tolerance_, touching_, 2 * (usual * 2 * size_ + noise_of(size))});
     if (present == 15) {
-      add_four(four, one_sided);
+      add_four(four, one_sided, holding);
       return;
     }
     // Those of fours that lack some stand side by side.
@@ -167,22 +174,37 @@ class NearTriangles {
       const auto lane = static_cast<std::size_t>(std::countr_zero(left));
       if (unfilled_ == fours_.size() || fours_[unfilled_].present == 15) {
         unfilled_ = fours_.size();
-        add_four(FourTriangles::all(four[lane]), 0);
+        add_four(FourTriangles::all(four[lane]), 0, 0);
         fours_[unfilled_].present = 0;
       }
       NearFour& to = fours_[unfilled_];
       const auto free = static_cast<std::size_t>(std::countr_zero(~to.present));
       put(four, lane, free, to.triangles);
       to.one_sided |= (one_sided >> lane & 1u) << free;
+      to.holding |= (holding >> lane & 1u) << free;
       to.present |= std::uint64_t{1} << free;
       to.has_planes = false;
     }
   }
-  void add_four(const FourTriangles& four, std::uint64_t one_sided) {
+  // A bit for each of four triangles that is there already.
+  [[nodiscard]] std::uint64_t known_of(const FourTriangles& four) const {
+    std::uint64_t known = 0;
+    for (const NearFour& near : fours_.span()) {
+      for (std::uint64_t left = near.present; left != 0; left &= left - 1) {
+        const auto number = near.triangles.numbers[static_cast<std::size_t>(std::countr_zero(left))];
+        for (std::size_t lane = 0; lane < 4; ++lane) {
+          known |= std::uint64_t{four.numbers[lane] == number ? 1u : 0u} << lane;
+        }
+      }
+    }
+    return known;
+  }
+  void add_four(const FourTriangles& four, std::uint64_t one_sided, std::uint64_t holding) {
     [[clang::uninitialized]] NearFour near;
     near.triangles = four;
     near.present = 15;
     near.one_sided = one_sided;
+    near.holding = holding;
     near.overlapped = 0;
     near.has_planes = false;
     fours_.push_back(near);
@@ -206,9 +228,8 @@ class NearTriangles {
       return;
     }
     const bool is_in_front = Fronts<B>(triangle, b_, ab_).allows(core.normal), is_overlapped = gap < -touching;
-    // A solid is left wherever it is met.
-    const bool is_in_solid = sides_ == StoppingSides::solid && is_overlapped;
-    if (!is_in_front && !is_in_solid && !counts_from_behind(triangle, b_, ab_, core)) {
+    const bool is_held = is_overlapped && (four.holding >> at.lane & 1u) != 0;
+    if (!is_in_front && !is_held && !counts_from_behind(triangle, b_, ab_, core)) {
       return;
     }
     near_.push_back({at, found, gap, is_overlapped, 0, 0});
@@ -224,7 +245,7 @@ class NearTriangles {
     const Real depth = Curved<B> ? b_.radius() - core.upper : -gap;
     if (depth > least_) {
       least_ = depth;
-      deepest_way_ = is_in_front || !is_in_solid ? core.normal : normal;
+      deepest_way_ = is_in_front || !is_held ? core.normal : normal;
     }
   }
   // Side by side, so that a search asks about no others.

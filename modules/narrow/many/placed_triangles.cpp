@@ -9,12 +9,6 @@ import abut.narrow.many.triangle_source;
 namespace abut {
 namespace {
 
-Columns placed(const Columns& corner, const Pose& pose) {
-  const auto& [x, y, z] = pose.rotation;
-  return Columns::all(pose.position) + corner.x * Columns::all(x) + corner.y * Columns::all(y) +
-         corner.z * Columns::all(z);
-}
-
 FourBoxes boxes_of(const FourTriangles& t) {
   const auto low = [](Lanes a, Lanes b, Lanes c) { return minimum(minimum(a, b), c); };
   const auto high = [](Lanes a, Lanes b, Lanes c) { return maximum(maximum(a, b), c); };
@@ -58,7 +52,7 @@ void PlacedTriangles::gather(const TriangleSource& surface, const Pose& pose, co
     count = 0;
   };
   const auto take = [&](const FourTriangles& local, std::uint64_t present) {
-    const FourTriangles in_frame{placed(local.a, pose), placed(local.b, pose), placed(local.c, pose), local.numbers};
+    const FourTriangles in_frame = placed(local, pose);
     for (std::uint64_t left = present & in_frame.overlapping(box); left != 0; left &= left - 1) {
       const auto lane = static_cast<std::size_t>(std::countr_zero(left));
       four.triangles.put(count, FourTriangles::all(in_frame[lane]));
@@ -69,8 +63,10 @@ void PlacedTriangles::gather(const TriangleSource& surface, const Pose& pose, co
     }
   };
   // What holds one reference is passed on without memory of its own.
-  surface.visit(transformed(box, pose.inverse()),
-                [&take](const FourTriangles& local, std::uint64_t present) { take(local, present); });
+  surface.visit(transformed(box, pose.inverse()), [&take](const FourTriangles& local, std::uint64_t present) {
+    take(local, present);
+    return true;
+  });
   if (count > 0) {
     add();
   }

@@ -169,8 +169,10 @@ class SurfaceSearch : public NearTriangles<B>, private Obstacles {
       return exit;
     }
     set_bounds(direction, lowest);
-    constexpr int most_rounds = 64;
-    for (int round = 0; round < most_rounds; ++round) {
+    // Each round passes something; so many only where rounding leads on and on.
+    constexpr int most_rounds = 4096;
+    bool has_end = false;
+    for (int round = 0; round < most_rounds && !has_end; ++round) {
       if (!leave_overlapped(direction, enough, exit)) {
         return exit;
       }
@@ -178,12 +180,15 @@ class SurfaceSearch : public NearTriangles<B>, private Obstacles {
       if (!leave_those_ahead(direction, lowest, enough, exit)) {
         return exit;
       }
-      if (!(exit.length > before) && !leave_inside(direction, enough, exit)) {
-        break;
-      }
+      has_end = !(exit.length > before) && !leave_inside(direction, enough, exit);
       if (exit.is_stopped) {
         return exit;
       }
+    }
+    if (!has_end) {
+      exit.stop({direction, infinity, {}});
+      exit.touches.clear();
+      return exit;
     }
     exit.settle(tie(), 4 * tolerance_);
     if (!exit.touches.empty()) {
@@ -417,7 +422,7 @@ class SurfaceSearch : public NearTriangles<B>, private Obstacles {
     const Triangle triangle = triangle_at(place);
     const CoreSeparation core = begin_separation(triangle, b_, at, settings_, b_.radius()).core;
     return !core.beyond && core.distance - b_.radius() < -2 * tolerance_ &&
-           (sides_ == StoppingSides::solid || Fronts<B>(triangle, b_, at).allows(core.normal) ||
+           ((fours_[place.four].holding >> place.lane & 1u) != 0 || Fronts<B>(triangle, b_, at).allows(core.normal) ||
             counts_from_behind(triangle, b_, at, core));
   }
 

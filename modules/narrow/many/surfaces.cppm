@@ -68,16 +68,21 @@ bool nearest_part(const A& a, const B& b, const Pose& ab, const QuerySettings& s
   return is_found;
 }
 
+template <Convex B>
+void contacts_on_surface(const TriangleSource& surface, const B& b, const Pose& ab, const QuerySettings& settings,
+                         Manifold& out) {
+  if (!flat_contacts(surface, b, ab, settings, out)) {
+    surface_contacts(surface, core_of(b), ab, settings, out);
+  }
+}
+
 template <Surface A, Convex B>
 [[nodiscard]] Outcome parts_contacts(const A& a, const B& b, const Pose& ab, const QuerySettings& settings,
                                      Manifold& out) {
   if (!parts_support(settings.algorithm)) {
     return Outcome::unsupported;
   }
-  if (flat_contacts(a, b, ab, settings, out)) {
-    return Outcome::ok;
-  }
-  surface_contacts(SourceOf<A>(a), core_of(b), ab, settings, out);
+  contacts_on_surface(SourceOf<A>(a), b, ab, settings, out);
   return Outcome::ok;
 }
 
@@ -105,10 +110,8 @@ template <Surface A, Convex B>
   if (!parts_support(settings.algorithm)) {
     return Outcome::unsupported;
   }
-  if (flat_distance(a, b, ab, settings, out)) {
-    return Outcome::ok;
-  }
-  if (surface_depth(SourceOf<A>(a), core_of(b), ab, settings, out)) {
+  const SourceOf<A> surface(a);
+  if (flat_distance(surface, b, ab, settings, out) || surface_depth(surface, core_of(b), ab, settings, out)) {
     return Outcome::ok;
   }
   out = no_distance();

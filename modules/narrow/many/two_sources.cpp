@@ -9,7 +9,7 @@ import abut.narrow.many.nearest_of_parts;
 import abut.narrow.many.triangle_source;
 
 namespace abut {
-bool depth_of_surfaces(const TriangleSource& a, const TriangleSource& b, const Pose& ab, const QuerySettings& settings,
+bool depth_of_surfaces(const SurfaceSource& a, const SurfaceSource& b, const Pose& ab, const QuerySettings& settings,
                        Distance& out) {
   if (is_moved_first(a, b, ab)) {
     const bool is_found = depth_of_surfaces(b, a, ab.inverse(), settings, out);

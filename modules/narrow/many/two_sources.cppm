@@ -10,11 +10,11 @@ import abut.narrow.many.triangle_source;
 export namespace abut {
 
 // The shortest translation found that ends the overlap, as a distance. False where nothing is overlapped.
-[[nodiscard]] bool depth_of_surfaces(const TriangleSource& a, const TriangleSource& b, const Pose& ab,
+[[nodiscard]] bool depth_of_surfaces(const SurfaceSource& a, const SurfaceSource& b, const Pose& ab,
                                      const QuerySettings& settings, Distance& out);
 
 // Contacts within the margin, as if nothing were behind the surfaces.
-void contacts_of_surfaces(const TriangleSource& a, const TriangleSource& b, const Pose& ab,
+void contacts_of_surfaces(const SurfaceSource& a, const SurfaceSource& b, const Pose& ab,
                           const QuerySettings& settings, Manifold& out);
 
 }  // namespace abut

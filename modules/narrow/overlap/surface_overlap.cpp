@@ -5,9 +5,10 @@ import abut.core.standard;
 import abut.math;
 import abut.math.tolerance;
 import abut.narrow.many.quick_axes;
+import abut.narrow.many.triangle_source;
 import abut.narrow.overlap.convex_overlap;
 import abut.narrow.overlap.convex_side;
-import abut.narrow.overlap.surface_side;
+import abut.narrow.overlap.core_among_triangles;
 import abut.trees.eight_boxes;
 import abut.trees.two_trees;
 
@@ -37,26 +38,30 @@ class Front {
   Real height_;
 };
 
-class CoreQuestion final : public TriangleQuestion {
+// Whether the triangles of a surface stop a core.
+class CoreQuestion {
  public:
   CoreQuestion(const CoreAmongTriangles& core, const Pose& ab, Real reach, Real noise, bool has_fronts)
       : core_(core), ab_(ab), reach_(reach), noise_(noise), has_fronts_(has_fronts) {}
 
-  [[nodiscard]] std::uint64_t near(const FourTriangles& triangles) const override {
-    return core_.near(triangles, reach_);
+  // Until one does.
+  [[nodiscard]] Met ask(const SurfaceSource& surface, const Aabb& near) {
+    Met met = Met::no;
+    surface.visit(near, [&](const FourTriangles& four, std::uint64_t present) {
+      std::uint64_t left = present == 0 ? 0 : present & core_.near(four, reach_);
+      for (; left != 0 && met != Met::yes; left &= left - 1) {
+        const Met found = met_by(four[static_cast<std::size_t>(std::countr_zero(left))]);
+        met = found == Met::no ? met : found;
+      }
+      return met != Met::yes;
+    });
+    return met;
   }
-  [[nodiscard]] bool is_answered_by(const TriangleCorners& corners) override {
-    if (!is_within(corners, reach_)) {
-      return false;
-    }
-    const Met met = has_fronts_ ? meets_front(corners) : Met::yes;
-    is_left_ = is_left_ || met == Met::left_to_contacts;
-    return met == Met::yes;
-  }
-  // Whether a triangle has left its answer to contacts.
-  [[nodiscard]] bool is_left() const { return is_left_; }
 
  private:
+  [[nodiscard]] Met met_by(const TriangleCorners& corners) const {
+    return !is_within(corners, reach_) ? Met::no : has_fronts_ ? meets_front(corners) : Met::yes;
+  }
   [[nodiscard]] bool is_within(const TriangleCorners& corners, Real reach) const {
     if (const std::optional<bool> answer = core_.is_within(corners, reach + noise_)) {
       return *answer;
@@ -79,12 +84,15 @@ class CoreQuestion final : public TriangleQuestion {
   const Pose& ab_;
   Real reach_, noise_;
   bool has_fronts_;
-  bool is_left_ = false;
 };
+
+// Whether triangles only stop what comes from their fronts. What a solid encloses is inside from all sides.
+[[nodiscard]] bool has_open_fronts(const SurfaceSource& surface) { return surface.sides() == StoppingSides::front; }
+[[nodiscard]] bool is_solid(const SurfaceSource& surface) { return surface.sides() == StoppingSides::solid; }
 
 // Of a shape that is near no triangle. A terrain ends at the sides of its box, where it has no triangles: all that a
 // convex shape and the box have in common is on one side of the surface.
-[[nodiscard]] bool is_inside(const SurfaceSide& surface, const ConvexSide& core, const Pose& ab) {
+[[nodiscard]] bool is_inside(const SurfaceSource& surface, const ConvexSide& core, const Pose& ab) {
   if (!surface.is_terrain()) {
     return surface.contains(ab * core.support({0, 0, 1}));
   }
@@ -93,27 +101,18 @@ class CoreQuestion final : public TriangleQuestion {
 }
 
 // The boxes of a surface as a Hierarchy.
-class TreeOfSide {
+class TreeOfSource {
  public:
-  explicit TreeOfSide(const SurfaceSide& surface) : surface_(surface) {}
+  explicit TreeOfSource(const SurfaceSource& surface) : surface_(surface) {}
 
   [[nodiscard]] Vec3 origin() const { return surface_.middle(); }
   template <class Visitor>
   void visit_children(std::uint32_t node, Visitor&& visit) const {
-    class Visits final : public NodeVisitor {
-     public:
-      explicit Visits(Visitor& visitor) : visit_(visitor) {}
-      void visit(const EightBoxes& boxes) override { visit_(boxes); }
-
-     private:
-      Visitor& visit_;
-    };
-    Visits visits(visit);
-    surface_.visit_node(node, visits);
+    surface_.visit_node(node, [&visit](const EightBoxes& boxes) { visit(boxes); });
   }
 
  private:
-  const SurfaceSide& surface_;
+  const SurfaceSource& surface_;
 };
 
 // The order of two trees in which boxes come first that reach furthest into each other.
@@ -137,10 +136,11 @@ class DeepestFirst {
   BoxAxes axes_;
 };
 
-[[nodiscard]] bool has_point_inside(const SurfaceSide& surface, const SurfaceSide& other, const Pose& placing) {
-  SurfaceSide::OnePoint spare{};
-  return surface.is_solid() &&
-         std::ranges::any_of(other.pieces(spare), [&](const Vec3& piece) { return surface.contains(placing * piece); });
+[[nodiscard]] bool has_point_inside(const SurfaceSource& surface, const SurfaceSource& other, const Pose& placing) {
+  const auto is_inside = [&](const Vec3& point) { return surface.contains(placing * point); };
+  // A terrain is in one piece.
+  return is_solid(surface) && (other.is_terrain() ? is_inside(other.part_near(other.box().centre()).corners()[0])
+                                                  : std::ranges::any_of(other.pieces(), is_inside));
 }
 
 // Of two triangles that are within reach: whether the second one is pushed back by the front of the first one.
@@ -157,7 +157,7 @@ class DeepestFirst {
 
 }  // namespace
 
-Met meets(const SurfaceSide& surface, CoreAmongTriangles& core, const Pose& ab, Real reach, Fronts fronts) {
+Met meets(const SurfaceSource& surface, CoreAmongTriangles& core, const Pose& ab, Real reach, Fronts fronts) {
   const Aabb box = core.box_at(ab), around = surface.box();
   const Real noise = noise_of(std::fmax(size_of(box), size_of(around)));
   const Aabb near = box.inflated(std::fmax(reach - core.radius, 0.0) + noise);
@@ -165,21 +165,19 @@ Met meets(const SurfaceSide& surface, CoreAmongTriangles& core, const Pose& ab, 
     return Met::no;
   }
   core.place(ab);
-  CoreQuestion question(core, ab, reach, noise, fronts == Fronts::respected && surface.has_open_fronts());
-  if (surface.ask(near, question) || (surface.is_solid() && is_inside(surface, core, ab))) {
-    return Met::yes;
-  }
-  return question.is_left() ? Met::left_to_contacts : Met::no;
+  CoreQuestion question(core, ab, reach, noise, fronts == Fronts::respected && has_open_fronts(surface));
+  const Met met = question.ask(surface, near);
+  return met != Met::yes && is_solid(surface) && is_inside(surface, core, ab) ? Met::yes : met;
 }
 
-Met meets(const SurfaceSide& a, const SurfaceSide& b, const Pose& ab, Real reach, Fronts fronts) {
+Met meets(const SurfaceSource& a, const SurfaceSource& b, const Pose& ab, Real reach, Fronts fronts) {
   const Aabb box_a = a.box(), box_b = b.box();
   const Real noise = noise_of(size_of(box_a) + size_of(box_b) + largest_magnitude(ab.position));
   if (!transformed(box_b, ab).inflated(reach + noise).overlaps(box_a)) {
     return Met::no;
   }
-  const bool fronts_a = fronts == Fronts::respected && a.has_open_fronts(),
-             fronts_b = fronts == Fronts::respected && b.has_open_fronts();
+  const bool fronts_a = fronts == Fronts::respected && has_open_fronts(a),
+             fronts_b = fronts == Fronts::respected && has_open_fronts(b);
   Met met = Met::no;
   const auto visit = [&](std::uint32_t of_a, std::uint32_t of_b) {
     const TriangleCorners first = a.corners(of_a), local = b.corners(of_b),
@@ -196,7 +194,7 @@ Met meets(const SurfaceSide& a, const SurfaceSide& b, const Pose& ab, Real reach
     }
     return met == Met::yes ? -infinity : reach + noise;
   };
-  const TreeOfSide tree_a(a), tree_b(b);
+  const TreeOfSource tree_a(a), tree_b(b);
   visit_two(tree_a, tree_b, DeepestFirst(tree_a.origin(), tree_b.origin(), ab), reach + noise, visit);
   return met != Met::yes && (has_point_inside(a, b, ab) || has_point_inside(b, a, ab.inverse())) ? Met::yes : met;
 }

@@ -4,26 +4,27 @@ export module abut.narrow.overlap.surface_overlap;
 import abut.capability;
 import abut.core.standard;
 import abut.math;
+import abut.narrow.many.triangle_source;
 import abut.narrow.overlap.convex_overlap;
-import abut.narrow.overlap.surface_side;
+import abut.narrow.overlap.core_among_triangles;
 
 export namespace abut {
 
 // Whether a triangle of a surface is within `reach` of a convex core, or the core is inside. The core is placed by ab
 // in the frame of the surface. `reach`: not negative.
-[[nodiscard]] Met meets(const SurfaceSide& surface, CoreAmongTriangles& core, const Pose& ab, Real reach,
+[[nodiscard]] Met meets(const SurfaceSource& surface, CoreAmongTriangles& core, const Pose& ab, Real reach,
                         Fronts fronts);
 // The same of two surfaces.
-[[nodiscard]] Met meets(const SurfaceSide& a, const SurfaceSide& b, const Pose& ab, Real reach, Fronts fronts);
+[[nodiscard]] Met meets(const SurfaceSource& a, const SurfaceSource& b, const Pose& ab, Real reach, Fronts fronts);
 
 template <Surface A, Convex B>
 [[nodiscard]] Met surface_meets(const A& a, const B& b, const Pose& ab, Real reach, Fronts fronts) {
   PlacedCore<B> core(b);
-  return meets(SideOfSurface<A>(a), core, ab, reach, fronts);
+  return meets(SourceOf<A>(a), core, ab, reach, fronts);
 }
 template <Surface A, Surface B>
 [[nodiscard]] Met surface_meets(const A& a, const B& b, const Pose& ab, Real reach, Fronts fronts) {
-  return meets(SideOfSurface<A>(a), SideOfSurface<B>(b), ab, reach, fronts);
+  return meets(SourceOf<A>(a), SourceOf<B>(b), ab, reach, fronts);
 }
 
 }  // namespace abut

@@ -5,12 +5,36 @@ import abut.capability;
 import abut.core.standard;
 import abut.core;
 import abut.math;
+import abut.narrow.convex;
 import abut.pairs.registry;
 
 export namespace abut {
 
 [[nodiscard]] inline bool is_assembly(const AnyShape& shape) {
   return std::visit([]<class S>(const S&) { return Assembly<S>; }, static_cast<const AnyShape::Variant&>(shape));
+}
+
+// Calls ask(surface) for a shape that is a surface.
+template <class Ask>
+void with_surface(const AnyShape& shape, Ask&& ask) {
+  std::visit(
+      [&]<class S>(const S& surface) {
+        if constexpr (Surface<S>) {
+          ask(surface);
+        }
+      },
+      static_cast<const AnyShape::Variant&>(shape));
+}
+// Calls ask(core) for a convex shape.
+template <class Ask>
+void with_core(const AnyShape& shape, Ask&& ask) {
+  std::visit(
+      [&]<class S>(const S& body) {
+        if constexpr (Convex<S>) {
+          ask(core_of(body));
+        }
+      },
+      static_cast<const AnyShape::Variant&>(shape));
 }
 
 [[nodiscard]] inline Aabb box_of(const AnyShape& shape, const Pose& pose) {
@@ -68,11 +92,11 @@ Outcome ask_in_order(const AnyShape& a, const AnyShape& b, const Pose& pose_a, c
                       });
 }
 
-// Tells the contacts from `first` on which children they are of. Particles have told theirs already.
+// Tells contacts which children they are of. Particles have told theirs already.
 inline void name_children(const AnyShape& a, const AnyShape& b, std::uint32_t child_a, std::uint32_t child_b,
-                          std::size_t first, Manifold& contacts) {
+                          std::span<ContactPoint> contacts) {
   const bool of_a = is_assembly(a), of_b = is_assembly(b);
-  for (ContactPoint& contact : std::span(contacts).subspan(first)) {
+  for (ContactPoint& contact : contacts) {
     contact.id = contact_id_of_part(contact_id_of_part(contact.id, child_a), child_b);
     contact.child_a = of_a ? child_a : contact.child_a;
     contact.child_b = of_b ? child_b : contact.child_b;

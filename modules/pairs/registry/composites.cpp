@@ -8,6 +8,7 @@ import abut.narrow.many.cut;
 import abut.narrow.many.nearest_of_parts;
 import abut.pairs.registry.children;
 import abut.pairs.registry.seams;
+import abut.pairs.registry.surface_group;
 import abut.pairs.rows.dispatch;
 
 namespace abut {
@@ -95,6 +96,16 @@ Outcome distance_of_pair(const AnyShape& a, const AnyShape& b, const Pose& pose_
                       });
 }
 
+// The pairs of children whose boxes come within a reach.
+ChildPairs pairs_of_children(const AnyShape& a, const AnyShape& b, const Pose& ab, Real reach) {
+  ChildPairs pairs;
+  visit_pairs_of_children(
+      a, b, ab, reach,
+      [&](const AnyShape& of_a, const Pose& pose_a, std::uint32_t child_a, const AnyShape& of_b, const Pose& pose_b,
+          std::uint32_t child_b) { pairs.push_back({&of_a, &of_b, pose_a, pose_b, child_a, child_b}); });
+  return pairs;
+}
+
 // In the frame of a. `with_nearest`: with the nearest points of every pair of children, which a contact may miss:
 // surfaces push to their front only. Without an upper bound there are no such points. Many solids have contacts each,
 // which tell theirs.
@@ -102,22 +113,35 @@ Outcome append_contacts_of_children(const AnyShape& a, const AnyShape& b, const 
                                     bool with_nearest, Manifold& out) {
   Outcomes outcomes;
   const std::size_t first = out.size();
-  visit_pairs_of_children(a, b, ab, settings.margin,
-                          [&](const AnyShape& of_a, const Pose& pose_a, std::uint32_t child_a, const AnyShape& of_b,
-                              const Pose& pose_b, std::uint32_t child_b) {
-                            const std::size_t begin = out.size();
-                            outcomes.add(contacts_of_pair(of_a, of_b, pose_a, pose_b, settings, out));
-                            Distance nearest{};
-                            const bool are_many = is_scattered(of_a) || is_scattered(of_b);
-                            if (with_nearest && !are_many &&
-                                distance_of_pair(of_a, of_b, pose_a, pose_b, settings, nearest) == Outcome::ok &&
-                                nearest.upper < infinity) {
-                              const Feature whole{FeatureKind::whole, 0};
-                              out.push_back({nearest.point_a, nearest.point_b, nearest.normal, nearest.distance, whole,
-                                             whole, contact_id(whole, whole)});
-                            }
-                            name_children(a, b, child_a, child_b, begin, out);
-                          });
+  const auto take = [&](const ChildPair& pair) {
+    const std::size_t begin = out.size();
+    outcomes.add(contacts_of_pair(*pair.a, *pair.b, pair.pose_a, pair.pose_b, settings, out));
+    Distance nearest{};
+    const bool are_many = is_scattered(*pair.a) || is_scattered(*pair.b);
+    if (with_nearest && !are_many &&
+        distance_of_pair(*pair.a, *pair.b, pair.pose_a, pair.pose_b, settings, nearest) == Outcome::ok &&
+        nearest.upper < infinity) {
+      const Feature whole{FeatureKind::whole, 0};
+      out.push_back(
+          {nearest.point_a, nearest.point_b, nearest.normal, nearest.distance, whole, whole, contact_id(whole, whole)});
+    }
+    name_children(a, b, pair.child_a, pair.child_b, std::span(out).subspan(begin));
+  };
+  const auto take_group = [&](std::span<const ChildPair> group, bool is_surface_a) {
+    const std::size_t begin = out.size();
+    contacts_of_group(group, is_surface_a, settings, out);
+    outcomes.add(Outcome::ok);
+    for (ContactPoint& contact : std::span(out).subspan(begin)) {
+      name_children(a, b, is_surface_a ? contact.child_a : group[0].child_a,
+                    is_surface_a ? group[0].child_b : contact.child_b, {&contact, 1});
+    }
+  };
+  ChildPairs pairs = pairs_of_children(a, b, ab, settings.margin);
+  if (with_nearest || !may_group(settings)) {
+    std::ranges::for_each(pairs.span(), take);
+  } else {
+    in_surface_groups(a, b, ab, pairs.span(), take, take_group);
+  }
   if (!with_nearest) {
     settle_seams(a, Pose::identity(), false, b, first, out);
     settle_seams(b, ab, true, a, first, out);
@@ -126,6 +150,31 @@ Outcome append_contacts_of_children(const AnyShape& a, const AnyShape& b, const 
     carve_both(a, b, ab, settings, first, out);
   }
   return outcomes.outcome();
+}
+
+// A surface by itself may have a way out that leads into one beside it.
+void take_depth_of_groups(const AnyShape& a, const AnyShape& b, const Pose& ab, const QuerySettings& settings,
+                          Distance& best) {
+  Distance deepest = no_distance();
+  bool has_group = false;
+  const auto take = [&](const ChildPair& pair) {
+    Distance found{};
+    if (distance_of_pair(*pair.a, *pair.b, pair.pose_a, pair.pose_b, settings, found) == Outcome::ok) {
+      take_part(found, deepest);
+    }
+  };
+  const auto take_group = [&](std::span<const ChildPair> group, bool is_surface_a) {
+    Distance found{};
+    if (depth_of_group(group, is_surface_a, settings, found)) {
+      has_group = true;
+      take_part(found, deepest);
+    } else {
+      std::ranges::for_each(group, take);
+    }
+  };
+  ChildPairs pairs = pairs_of_children(a, b, ab, 0);
+  in_surface_groups(a, b, ab, pairs.span(), take, take_group);
+  best = has_group ? deepest : best;
 }
 
 // The nearest or deepest pair of children, in the frame of a. What holes take away is still there.
@@ -144,6 +193,9 @@ Outcome distance_of_solids(const AnyShape& a, const AnyShape& b, const Pose& ab,
                               reach = found.distance;
                             }
                           });
+  if (best.distance < 0 && may_group(settings)) {
+    take_depth_of_groups(a, b, ab, settings, best);
+  }
   return outcomes.outcome();
 }
 

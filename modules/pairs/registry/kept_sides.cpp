@@ -12,6 +12,16 @@ import abut.pairs.registry.seams;
 namespace abut {
 namespace {
 
+// What an algorithm does not answer, the default one does.
+void add_contacts(const AnyShape& a, const AnyShape& b, const Pose& pose_a, const Pose& pose_b,
+                  const QuerySettings& settings, Manifold& out) {
+  const std::size_t first = out.size();
+  if (contacts_of_pair(a, b, pose_a, pose_b, settings, out) != Outcome::ok) {
+    out.resize(first, ContactPoint{});
+    static_cast<void>(contacts_of_pair(a, b, pose_a, pose_b, {.margin = settings.margin}, out));
+  }
+}
+
 template <class Ask>
 void ask_many(const AnyShape& shape, Ask&& ask) {
   std::visit(
@@ -65,7 +75,7 @@ const AnyShape* child_of(const AnyShape& shape, std::uint32_t child) {
 
 bool may_be_of(const SideMemory& memory, const AnyShape& surface) {
   std::size_t count = 0;
-  ask_surface(surface, [&](const auto& its) { count = its.triangle_count(); });
+  with_surface(surface, [&](const auto& its) { count = its.triangle_count(); });
   const auto is_right = [&](const SideOfPart& its) { return its.part < count; };
   return std::ranges::all_of(memory.parts, is_right) && is_finite(memory.normal);
 }
@@ -100,11 +110,11 @@ bool may_be_of(std::span<const SidesOfChildren> memories, const AnyShape& a, con
 
 namespace {
 
-// Of many solids, each of which may have passed a surface. `is_surface_a`: the surface is side a.
+// Of many solids, each of which may touch a surface. `is_surface_a`: the surface is side a.
 bool contacts_of_many(const AnyShape& surface, const AnyShape& all, const Pose& placed, const Pose& of_all,
                       bool is_surface_a, const QuerySettings& settings, KeptSide& side, Manifold& out) {
   std::vector<std::uint32_t> passed;
-  Manifold of_passed;
+  Manifold of_touching;
   ask_many(all, [&]<class S>(const S& many) {
     Aabb near = box_of(surface, relative(of_all, placed)).inflated(std::max(settings.margin, Real{0}));
     many.visit_places(near, [&](const Vec3& place, std::uint32_t index) {
@@ -125,7 +135,7 @@ bool contacts_of_many(const AnyShape& surface, const AnyShape& all, const Pose& 
         move_by(contact, Pose::identity(), true);
         name_particle_a(contact, index);
         move_by(contact, placed, is_surface_a);
-        of_passed.push_back(contact);
+        of_touching.push_back(contact);
       }
     });
   });
@@ -134,7 +144,7 @@ bool contacts_of_many(const AnyShape& surface, const AnyShape& all, const Pose& 
     return false;
   }
   std::ranges::sort(passed);
-  // Those that have passed nothing are as without a memory.
+  // Those that touch nothing are as without a memory.
   Manifold plain;
   add_contacts(surface, all, placed, of_all, settings, plain);
   for (ContactPoint& contact : plain) {
@@ -143,7 +153,7 @@ bool contacts_of_many(const AnyShape& surface, const AnyShape& all, const Pose& 
       out.push_back(contact);
     }
   }
-  out.insert(out.end(), of_passed.begin(), of_passed.end());
+  out.insert(out.end(), of_touching.begin(), of_touching.end());
   return true;
 }
 
@@ -188,7 +198,7 @@ bool contacts_of_bodies(const AnyShape& a, const AnyShape& b, const Pose& ab, co
     out.insert(out.end(), passed[0].contacts.begin(), passed[0].contacts.end());
     return true;
   }
-  // Those of children that have passed nothing are as without a memory.
+  // Other children are as without a memory.
   std::size_t next = 0;
   visit_pairs_of_children(
       a, b, ab, reach,
@@ -201,7 +211,7 @@ bool contacts_of_bodies(const AnyShape& a, const AnyShape& b, const Pose& ab, co
         } else {
           add_contacts(of_a, of_b, pose_a, pose_b, settings, out);
         }
-        name_children(a, b, child_a, child_b, begin, out);
+        name_children(a, b, child_a, child_b, std::span(out).subspan(begin));
       });
   settle_seams(a, Pose::identity(), false, b, first, out);
   settle_seams(b, ab, true, a, first, out);

@@ -21,9 +21,9 @@ struct KeptSide {
 };
 // Whether memories may be of a pair of these two.
 [[nodiscard]] bool may_be_of(std::span<const SidesOfChildren> memories, const AnyShape& a, const AnyShape& b);
-// The contacts of a pair with a body that has passed a surface, in the frame of a. Answers false where those that the
-// pair has without a memory stand; else they are added to `out`. Whatever the margin, what touches is remembered.
-// O(triangles that bodies touch).
+// The contacts of a pair with a body that touches a surface, in the frame of a: out to the side from which it came.
+// Answers false where those that the pair has without a memory stand; else they are added to `out`. Whatever the
+// margin, what touches is remembered. O(triangles that bodies touch).
 [[nodiscard]] bool contacts_on_side(const AnyShape& a, const AnyShape& b, const Pose& ab, const QuerySettings& settings,
                                     KeptSide& side, Manifold& out);
 

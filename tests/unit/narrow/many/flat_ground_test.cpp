@@ -6,6 +6,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <random>
 #include <utility>
 #include <vector>
@@ -14,6 +15,7 @@ import abut.capability;
 import abut.math;
 import abut.narrow.many.flat_ground;
 import abut.narrow.many.flat_patch;
+import abut.narrow.many.triangle_source;
 
 namespace {
 
@@ -25,12 +27,12 @@ using abut::TriangleCorners;
 using abut::Vec3;
 
 // Triangles one after the other, in fours.
-class Soup final : public abut::GroundSurface {
+class Soup final : public abut::TriangleSource {
  public:
   std::vector<TriangleCorners> triangles;
   abut::StoppingSides its_sides = abut::StoppingSides::both;
 
-  void visit(const Aabb& box, const abut::TakeFour& take) const override {
+  void visit(const Aabb& box, const TakeFour& take) const override {
     for (std::uint32_t first = 0; first < triangles.size(); first += 4) {
       const auto at = [&](std::uint32_t lane) {
         return std::min(first + lane, static_cast<std::uint32_t>(triangles.size() - 1));
@@ -44,10 +46,20 @@ class Soup final : public abut::GroundSurface {
       }
     }
   }
-  [[nodiscard]] Triangle part_near(const Vec3&) const override { return {triangles[0], 0, false}; }
+  [[nodiscard]] Triangle part(std::uint32_t number) const override { return {triangles[number], number, false}; }
+  [[nodiscard]] Triangle part_near(const Vec3&) const override { return part(0); }
   [[nodiscard]] bool is_crest(std::uint32_t, unsigned, const Vec3&, Real) const override { return true; }
   [[nodiscard]] abut::StoppingSides sides() const override { return its_sides; }
-  [[nodiscard]] bool fills_below(const Vec3&, const Vec3&, const Aabb&) const override { return false; }
+  // Flat ground asks for nothing else.
+  [[nodiscard]] Aabb box() const override { return Aabb::everything(); }
+  [[nodiscard]] std::uint64_t one_sided(const FourTriangles&) const override { return 0; }
+  [[nodiscard]] std::uint64_t holding(const FourTriangles&) const override { return 0; }
+  [[nodiscard]] bool is_terrain() const override { return false; }
+  [[nodiscard]] bool contains(const Vec3&) const override { return false; }
+  [[nodiscard]] std::optional<abut::WayToSurface> way_to_surface(const Vec3&, const Vec3&) const override {
+    return std::nullopt;
+  }
+  [[nodiscard]] abut::PointOnSurface nearest(const Vec3&) const override { return {}; }
 };
 
 constexpr int side = 6;  // cells of size 1, from -3 to 3
