@@ -211,4 +211,25 @@ TEST(Sheets, BallSunkInABoxIsPushedByTheTopAlone) {
   }
 }
 
+// A way goes on through as many sheets as there are.
+TEST(Sheets, ManyInARowAreAllLeft) {
+  constexpr int sheets = 151;
+  constexpr double gap = 0.8, wide = 1000;
+  std::vector<double> xyz;
+  std::vector<std::uint32_t> triangles;
+  for (int i = 0; i < sheets; ++i) {
+    const double z = gap * (i - sheets / 2);
+    const auto first = static_cast<std::uint32_t>(4 * i);
+    for (const double y : {-wide, wide}) {
+      xyz.insert(xyz.end(), {-wide, y, z, wide, y, z});
+    }
+    for (const std::uint32_t step : {0u, 1u, 3u, 0u, 3u, 2u}) {
+      triangles.push_back(first + step);
+    }
+  }
+  const ShapePtr stack = mesh(xyz, triangles, ABUT_SIDES_BOTH);
+  EXPECT_NEAR(distance(stack, at(0, 0, 0), sphere(0.5), at(0, 0, 0.1)), -(gap * (sheets / 2) + 0.4), 1e-9);
+  EXPECT_NEAR(distance(stack, at(0, 0, 0), box(0.5), at(0, 0, 0.1)), -(gap * (sheets / 2) + 0.4), 1e-9);
+}
+
 }  // namespace
