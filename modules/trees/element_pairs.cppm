@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Pairs of elements of one tree whose boxes overlap: a vertex and a face, and two edges. Elements that share a vertex
-// are no pair.
+// Pairs of elements whose boxes overlap, of two trees with one origin, or of a tree with itself: a vertex and a face,
+// two edges, or an edge and a face. Elements of one tree that share a vertex are no pair.
 export module abut.trees.element_pairs;
 import abut.core.standard;
 import abut.trees.element_tree;
@@ -34,33 +34,46 @@ class ElementPairs {
   std::size_t size_ = 0;
 };
 
-// Lists of different tasks share no line of the cache.
+// Of a tree a with a tree b. Lists of different tasks share no line of the cache.
 struct alignas(64) Candidates {
-  ElementPairs vertices_and_faces;  // the vertex first
-  ElementPairs edges;
+  ElementPairs vertices_and_faces;  // a vertex of a first; of one tree all pairs
+  ElementPairs faces_and_vertices;  // a vertex of b first, then the face of a; none of one tree
+  ElementPairs edges;               // that of a first
 
   void clear() {
     vertices_and_faces.clear();
+    faces_and_vertices.clear();
     edges.clear();
   }
 };
+struct alignas(64) CrossingCandidates {
+  ElementPairs edges_and_faces;  // an edge of a first; of one tree all pairs
+  ElementPairs faces_and_edges;  // an edge of b first, then the face of a; none of one tree
 
-// Two nodes or leaves of a tree as it numbers children, or the same one twice: all pairs of elements below.
+  void clear() {
+    edges_and_faces.clear();
+    faces_and_edges.clear();
+  }
+};
+
+// Two nodes or leaves as their trees number children.
 struct NodePair {
   std::uint32_t a, b;
 };
 
-// The pairs of elements of a tree, as pairs of nodes: at least `least` of them where the tree has so many. They follow
-// from the tree alone, whatever the number of threads. The lists keep their memory.
-class OwnPairs {
+// The pairs of elements of two trees, or of one that is given twice, as pairs of nodes: at least `least` of them where
+// there are so many. They follow from the trees alone, whatever the number of threads. The lists keep their memory.
+class NodePairs {
  public:
-  [[nodiscard]] std::span<const NodePair> cut(const ElementTree& tree, std::size_t least) [[clang::lifetimebound]];
+  void cut(const ElementTree& a, const ElementTree& b, std::size_t least);
+  [[nodiscard]] std::span<const NodePair> list() const [[clang::lifetimebound]] { return pairs_; }
 
  private:
   std::vector<NodePair> pairs_, next_;
 };
 
-// Appends the pairs of elements below a pair of nodes. Each pair occurs once for all pairs of nodes of OwnPairs.
-void append_candidates(const ElementTree& tree, NodePair nodes, Candidates& out);
+// Appends the pairs of elements below a pair of nodes. Each pair occurs once for all pairs of NodePairs.
+void append_candidates(const ElementTree& a, const ElementTree& b, NodePair nodes, Candidates& out);
+void append_candidates(const ElementTree& a, const ElementTree& b, NodePair nodes, CrossingCandidates& out);
 
 }  // namespace abut

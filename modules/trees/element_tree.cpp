@@ -74,9 +74,9 @@ void add(std::vector<ElementBlock<count>>& blocks, std::size_t& used, std::uint3
   return round_down(error < 0 ? lower : difference);
 }
 
-// Near the middle of all vertices, but a multiple of a power of two that is no less than their extent: coordinates
-// relative to it have no more digits than before, and it is zero for vertices around the origin.
-[[nodiscard]] Vec3 origin_of(const Aabb& box) {
+}  // namespace
+
+Vec3 origin_for(const Aabb& box) {
   if (!box.is_bounded()) {
     return {0, 0, 0};
   }
@@ -92,8 +92,6 @@ void add(std::vector<ElementBlock<count>>& blocks, std::size_t& used, std::uint3
   const Vec3 middle = box.centre();
   return {snapped(middle.x), snapped(middle.y), snapped(middle.z)};
 }
-
-}  // namespace
 
 // A node whose children are triangles becomes a leaf. Returns the number of the child that the node becomes; one has
 // been made for the root.
@@ -152,7 +150,7 @@ ElementTree::ElementTree(const ElementTable& table, std::span<const std::uint32_
   for (const Vec3& vertex : vertices) {
     around.include(vertex);
   }
-  origin_ = origin_of(around);
+  origin_ = origin_for(around);
   const auto box_of = [&](std::uint32_t triangle) {
     Aabb box = Aabb::empty();
     const auto corners = triangles.subspan(3 * std::size_t{triangle}).first<3>();

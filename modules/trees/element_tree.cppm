@@ -19,6 +19,10 @@ struct ElementBlock {
   std::array<std::array<std::uint32_t, EightBoxes::width>, corner_count> corners{};
 };
 
+// Near the middle of a box, but a multiple of a power of two that is no less than its extent: coordinates relative to
+// it have no more digits than before, and it is zero for a box around the origin.
+[[nodiscard]] Vec3 origin_for(const Aabb& box);
+
 class ElementTree {
  public:
   // Where the blocks of a leaf begin; they end where those of the next leaf begin.
@@ -32,6 +36,8 @@ class ElementTree {
   ElementTree(const ElementTable& table, std::span<const std::uint32_t> triangles, std::span<const Vec3> vertices,
               const Workers& workers);
 
+  // What boxes are relative to from the next fit on. Two trees are compared where they have the same origin.
+  void set_origin(const Vec3& origin) { origin_ = origin; }
   // Fits all boxes to the vertices at two times, and to all places between them. Each box is grown by `reach` and
   // rounded outward. Vertices of single precision near the origin give exact boxes. Linear; allocates nothing.
   void fit(std::span<const Vec3> start, std::span<const Vec3> end, Real reach, const Workers& workers);

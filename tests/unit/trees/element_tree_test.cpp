@@ -33,10 +33,11 @@ void append(std::span<const abut::ElementPair> from, Pairs& to) { to.insert(to.e
 Both candidates(const abut::ElementTree& tree, std::size_t least) {
   Both out;
   abut::Candidates found;
-  abut::OwnPairs pairs;
-  for (const abut::NodePair& pair : pairs.cut(tree, least)) {
+  abut::NodePairs pairs;
+  pairs.cut(tree, tree, least);
+  for (const abut::NodePair& pair : pairs.list()) {
     found.clear();
-    abut::append_candidates(tree, pair, found);
+    abut::append_candidates(tree, tree, pair, found);
     append(found.vertices_and_faces.list(), out.vertices_and_faces);
     append(found.edges.list(), out.edges);
   }
