@@ -66,7 +66,7 @@ abut_status answer_all(const double* start, const double* end, std::size_t count
   }
   for (std::size_t query = 0; query < count; ++query) {
     const auto vertex = [&](std::size_t index) { return vertex_of(starts, ends, query, index); };
-    const abut::FirstTouch touch = answer(vertex, settings);
+    const abut::MovingTouch touch = answer(vertex, settings);
     answers[query] = {touch.touches ? 1u : 0u, 0, touch.lower, touch.upper};
   }
   return ABUT_OK;

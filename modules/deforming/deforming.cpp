@@ -10,18 +10,18 @@ import abut.deforming.moving_triangle;
 namespace abut {
 namespace {
 
-FirstTouch first_touch(const std::array<MovingDifference, 3>& corners, const TouchSettings& settings) {
+MovingTouch first_touch(const std::array<MovingDifference, 3>& corners, const TouchSettings& settings) {
   const MovingTriangle triangle = rounded(corners);
   if (settings.separation > 0) {
     return first_approach(triangle, settings);
   }
   // Where a touch is nearly missed, rounding leaves its time open.
   constexpr Real widest = 1e-9;
-  const std::optional<FirstTouch> quick = quick_touch(triangle);
+  const std::optional<MovingTouch> quick = quick_touch(triangle);
   return quick && quick->upper - quick->lower <= widest ? *quick : exact_touch(corners);
 }
 
-FirstTouch first_of(const FirstTouch& a, const FirstTouch& b) {
+MovingTouch first_of(const MovingTouch& a, const MovingTouch& b) {
   if (!a.touches || !b.touches) {
     return a.touches ? a : b;
   }
@@ -32,12 +32,12 @@ FirstTouch first_of(const FirstTouch& a, const FirstTouch& b) {
 
 bool has_deforming() { return true; }
 
-FirstTouch first_touch_of_vertex_and_face(const MovingPoint& vertex, const std::array<MovingPoint, 3>& face,
+MovingTouch first_touch_of_vertex_and_face(const MovingPoint& vertex, const std::array<MovingPoint, 3>& face,
                                           const TouchSettings& settings) {
   return first_touch({{{vertex, face[0]}, {vertex, face[1]}, {vertex, face[2]}}}, settings);
 }
 
-FirstTouch first_touch_of_edges(const std::array<MovingPoint, 2>& a, const std::array<MovingPoint, 2>& b,
+MovingTouch first_touch_of_edges(const std::array<MovingPoint, 2>& a, const std::array<MovingPoint, 2>& b,
                                 const TouchSettings& settings) {
   const MovingDifference first{a[0], b[0]}, last{a[1], b[1]};
   return first_of(first_touch({{first, {a[0], b[1]}, last}}, settings),

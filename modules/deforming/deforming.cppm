@@ -13,7 +13,7 @@ struct MovingPoint {
 };
 
 // The first touch lies in [lower, upper]. Before `lower` nothing touches.
-struct FirstTouch {
+struct MovingTouch {
   bool touches = false;
   Real lower = 0, upper = 0;
 };
@@ -31,10 +31,10 @@ struct TouchSettings {
   Real tolerance = 1e-9;
 };
 
-[[nodiscard]] FirstTouch first_touch_of_vertex_and_face(const MovingPoint& vertex,
+[[nodiscard]] MovingTouch first_touch_of_vertex_and_face(const MovingPoint& vertex,
                                                         const std::array<MovingPoint, 3>& face,
                                                         const TouchSettings& settings);
-[[nodiscard]] FirstTouch first_touch_of_edges(const std::array<MovingPoint, 2>& a, const std::array<MovingPoint, 2>& b,
+[[nodiscard]] MovingTouch first_touch_of_edges(const std::array<MovingPoint, 2>& a, const std::array<MovingPoint, 2>& b,
                                               const TouchSettings& settings);
 
 }  // namespace abut

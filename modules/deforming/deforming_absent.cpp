@@ -7,11 +7,11 @@ namespace abut {
 
 bool has_deforming() { return false; }
 
-FirstTouch first_touch_of_vertex_and_face(const MovingPoint& /*vertex*/, const std::array<MovingPoint, 3>& /*face*/,
+MovingTouch first_touch_of_vertex_and_face(const MovingPoint& /*vertex*/, const std::array<MovingPoint, 3>& /*face*/,
                                           const TouchSettings& /*settings*/) {
   return {};
 }
-FirstTouch first_touch_of_edges(const std::array<MovingPoint, 2>& /*a*/, const std::array<MovingPoint, 2>& /*b*/,
+MovingTouch first_touch_of_edges(const std::array<MovingPoint, 2>& /*a*/, const std::array<MovingPoint, 2>& /*b*/,
                                 const TouchSettings& /*settings*/) {
   return {};
 }

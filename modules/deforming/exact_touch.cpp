@@ -362,12 +362,12 @@ ExactTriangle exact(const std::array<MovingDifference, 3>& corners) {
 
 }  // namespace
 
-FirstTouch exact_touch(const std::array<MovingDifference, 3>& corners) {
+MovingTouch exact_touch(const std::array<MovingDifference, 3>& corners) {
   const ExactTriangle triangle = exact(corners);
   if (triangle.holds_origin([](const Polynomial& p) { return p.empty() ? 0 : p[0].sign(); })) {
     return {true, 0, 0};
   }
-  FirstTouch first;
+  MovingTouch first;
   for (const Polynomial& candidate : triangle.candidates()) {
     if (candidate.size() < 2) {
       continue;
@@ -381,8 +381,8 @@ FirstTouch exact_touch(const std::array<MovingDifference, 3>& corners) {
       while (!zero.is_known() && rounded(zero.high, true) - rounded(zero.low, false) > wanted_width) {
         halve(f, zero);
       }
-      const FirstTouch touch{true, rounded(zero.low, false), rounded(zero.high, true)};
-      first = first.touches ? FirstTouch{true, std::min(first.lower, touch.lower), std::min(first.upper, touch.upper)}
+      const MovingTouch touch{true, rounded(zero.low, false), rounded(zero.high, true)};
+      first = first.touches ? MovingTouch{true, std::min(first.lower, touch.lower), std::min(first.upper, touch.upper)}
                             : touch;
       break;
     }

@@ -9,6 +9,6 @@ export namespace abut {
 
 // Takes some microseconds, and up to a millisecond where coordinates have very different exponents or all of the motion
 // lies in one plane. Coordinates are finite.
-[[nodiscard]] FirstTouch exact_touch(const std::array<MovingDifference, 3>& corners);
+[[nodiscard]] MovingTouch exact_touch(const std::array<MovingDifference, 3>& corners);
 
 }  // namespace abut

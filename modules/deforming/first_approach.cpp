@@ -34,7 +34,7 @@ struct Stretch {
 }  // namespace
 
 // Stretches come in the order of time, so that the first one which is small and not ruled out is the answer.
-FirstTouch first_approach(const MovingTriangle& triangle, const TouchSettings& settings) {
+MovingTouch first_approach(const MovingTriangle& triangle, const TouchSettings& settings) {
   const Real rounding = rounding_of(largest_coordinate_of(triangle));
   const auto nearest_at = [&](Real time) { return nearest_on(corners_at(triangle, time), {0, 0, 0}); };
   if (norm(nearest_at(0)) <= settings.separation) {

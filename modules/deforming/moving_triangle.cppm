@@ -36,9 +36,9 @@ struct MovingTriangle {
 }
 
 // The first time at which the triangle holds the origin. Nothing where rounding might tell another answer.
-[[nodiscard]] std::optional<FirstTouch> quick_touch(const MovingTriangle& triangle);
+[[nodiscard]] std::optional<MovingTouch> quick_touch(const MovingTriangle& triangle);
 
 // The first time at which the triangle is as near to the origin as the separation.
-[[nodiscard]] FirstTouch first_approach(const MovingTriangle& triangle, const TouchSettings& settings);
+[[nodiscard]] MovingTouch first_approach(const MovingTriangle& triangle, const TouchSettings& settings);
 
 }  // namespace abut

@@ -136,7 +136,7 @@ std::pair<Real, Real> zero_of_rising(const Cubic& c, Real error, Real width) {
 }
 
 // The time at which c passes zero; none unless it surely passes once, with the origin surely on one side of all edges.
-std::optional<FirstTouch> certain_touch(const Stretch& at, Real cubic_error, Real quartic_error) {
+std::optional<MovingTouch> certain_touch(const Stretch& at, Real cubic_error, Real quartic_error) {
   if (!std::ranges::all_of(at.q, [&](const Quartic& q) { return are_above(q, quartic_error); })) {
     return std::nullopt;
   }
@@ -153,7 +153,7 @@ std::optional<FirstTouch> certain_touch(const Stretch& at, Real cubic_error, Rea
   }
   const Real width = at.high - at.low;
   const auto [low, high] = zero_of_rising(c, cubic_error, wanted_width / width);
-  return FirstTouch{true, std::max(at.low + low * width - epsilon, Real{0}),
+  return MovingTouch{true, std::max(at.low + low * width - epsilon, Real{0}),
                     std::min(at.low + high * width + epsilon, Real{1})};
 }
 
@@ -171,9 +171,9 @@ bool is_beside_origin(const MovingTriangle& triangle) {
 
 }  // namespace
 
-std::optional<FirstTouch> quick_touch(const MovingTriangle& triangle) {
+std::optional<MovingTouch> quick_touch(const MovingTriangle& triangle) {
   if (is_beside_origin(triangle)) {
-    return FirstTouch{};
+    return MovingTouch{};
   }
   // Fourth powers of these neither overflow nor lose digits.
   constexpr Real least_size = 1e-60, most_size = 1e60;
@@ -185,7 +185,7 @@ std::optional<FirstTouch> quick_touch(const MovingTriangle& triangle) {
   const Real cubic_error = cubic_rounding * cube, quartic_error = quartic_rounding * cube * size;
   [[clang::uninitialized]] std::array<Stretch, most_waiting> waiting;
   if (!start_from(triangle, cubic_error, waiting[0])) {
-    return FirstTouch{};
+    return MovingTouch{};
   }
   std::size_t count = 1;
   for (int stretches = 0; count > 0; ++stretches) {
@@ -213,7 +213,7 @@ std::optional<FirstTouch> quick_touch(const MovingTriangle& triangle) {
     left.high = right.low = 0.5 * (at.low + at.high);
     right.high = at.high;
   }
-  return FirstTouch{};
+  return MovingTouch{};
 }
 
 }  // namespace abut
