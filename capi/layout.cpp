@@ -41,6 +41,11 @@ static_assert(is_plain<abut_distance>(104));
 static_assert(is_plain<abut_contact>(192));
 static_assert(is_plain<abut_pair_memory>(64));
 static_assert(is_plain<abut_first_touch>(24));
+static_assert(is_plain<abut_element_counts>(32));
+static_assert(is_plain<abut_elements_options>(64));
+static_assert(is_plain<abut_stencil>(104));
+static_assert(is_plain<abut_element_pair>(12));
+static_assert(is_plain<abut_crossing>(48));
 static_assert(is_plain<abut_movement>(120));
 static_assert(is_plain<abut_impact_options>(32));
 static_assert(is_plain<abut_impact>(136));
@@ -241,6 +246,44 @@ constexpr auto layout = std::to_array<abut_layout_entry>({
     ABUT_FIELD(abut_first_touch, reserved),
     ABUT_FIELD(abut_first_touch, lower),
     ABUT_FIELD(abut_first_touch, upper),
+    ABUT_STRUCT(abut_element_counts),
+    ABUT_FIELD(abut_element_counts, vertices),
+    ABUT_FIELD(abut_element_counts, edges),
+    ABUT_FIELD(abut_element_counts, triangles),
+    ABUT_FIELD(abut_element_counts, faces),
+    ABUT_STRUCT(abut_elements_options),
+    ABUT_FIELD(abut_elements_options, struct_size),
+    ABUT_FIELD(abut_elements_options, method),
+    ABUT_FIELD(abut_elements_options, kinds),
+    ABUT_FIELD(abut_elements_options, flags),
+    ABUT_FIELD(abut_elements_options, threads),
+    ABUT_FIELD(abut_elements_options, reserved),
+    ABUT_FIELD(abut_elements_options, reach),
+    ABUT_FIELD(abut_elements_options, tolerance),
+    ABUT_FIELD(abut_elements_options, rest_distance),
+    ABUT_FIELD(abut_elements_options, cone_angle),
+    ABUT_FIELD(abut_elements_options, cone_factor),
+    ABUT_STRUCT(abut_stencil),
+    ABUT_FIELD(abut_stencil, kind),
+    ABUT_FIELD(abut_stencil, of_a),
+    ABUT_FIELD(abut_stencil, element_a),
+    ABUT_FIELD(abut_stencil, element_b),
+    ABUT_FIELD(abut_stencil, vertices),
+    ABUT_FIELD(abut_stencil, weights),
+    ABUT_FIELD(abut_stencil, normal),
+    ABUT_FIELD(abut_stencil, distance),
+    ABUT_FIELD(abut_stencil, toi),
+    ABUT_STRUCT(abut_element_pair),
+    ABUT_FIELD(abut_element_pair, kind),
+    ABUT_FIELD(abut_element_pair, a),
+    ABUT_FIELD(abut_element_pair, b),
+    ABUT_STRUCT(abut_crossing),
+    ABUT_FIELD(abut_crossing, edge),
+    ABUT_FIELD(abut_crossing, face),
+    ABUT_FIELD(abut_crossing, edge_is_of_b),
+    ABUT_FIELD(abut_crossing, reserved),
+    ABUT_FIELD(abut_crossing, share),
+    ABUT_FIELD(abut_crossing, point),
     ABUT_STRUCT(abut_movement),
     ABUT_FIELD(abut_movement, velocity),
     ABUT_FIELD(abut_movement, angular_velocity),

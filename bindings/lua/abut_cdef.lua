@@ -419,6 +419,93 @@ abut_status abut_vertices_touch_faces(const double *start, const double *end, si
                                                double tolerance, abut_first_touch *out);
 abut_status abut_edges_touch_edges(const double *start, const double *end, size_t count, double separation,
                                             double tolerance, abut_first_touch *out);
+typedef struct abut_elements abut_elements;
+abut_status abut_elements_create(const abut_shape *shape, abut_elements **out);
+void abut_elements_destroy(abut_elements *elements);
+typedef struct abut_element_counts {
+  uint64_t vertices;
+  uint64_t edges;
+  uint64_t triangles;
+  uint64_t faces;
+} abut_element_counts;
+abut_status abut_elements_count(const abut_elements *elements, abut_element_counts *out);
+abut_status abut_elements_edges(const abut_elements *elements, uint32_t *vertices, size_t capacity,
+                                         size_t *count);
+abut_status abut_elements_set_vertices(abut_elements *elements, const double *start, const double *end,
+                                                size_t vertex_count);
+typedef uint32_t abut_closest_method;
+enum abut_closest_method_value {
+  ABUT_CLOSEST_FEATURES = 0,
+  ABUT_CLOSEST_OF_FACES = 1,
+  ABUT_CLOSEST_ALL = 2,
+  ABUT_CLOSEST_OF_VERTICES = 3,
+  ABUT_CLOSEST_LOCAL_MINIMA = 4
+};
+typedef uint32_t abut_stencil_kind;
+enum abut_stencil_kind_value {
+  ABUT_STENCIL_VERTEX_FACE = 0,
+  ABUT_STENCIL_EDGE_EDGE = 1,
+  ABUT_STENCIL_VERTEX_EDGE = 2,
+  ABUT_STENCIL_VERTEX_VERTEX = 3
+};
+typedef uint32_t abut_stencil_kinds;
+typedef uint32_t abut_elements_flags;
+enum abut_elements_flags_value {
+  ABUT_ELEMENTS_FRONTS_ONLY = 1
+};
+typedef struct abut_elements_options {
+  uint32_t struct_size;
+  abut_closest_method method;
+  abut_stencil_kinds kinds;
+  abut_elements_flags flags;
+  uint32_t threads;
+  uint32_t reserved;
+  double reach;
+  double tolerance;
+  double rest_distance;
+  double cone_angle;
+  double cone_factor;
+} abut_elements_options;
+void abut_elements_options_init(abut_elements_options *options, uint32_t struct_size);
+typedef struct abut_stencil {
+  abut_stencil_kind kind;
+  uint32_t of_a;
+  uint32_t element_a;
+  uint32_t element_b;
+  uint32_t vertices[4];
+  double weights[4];
+  abut_vec3 normal;
+  double distance;
+  double toi;
+} abut_stencil;
+typedef uint32_t abut_element_pair_kind;
+enum abut_element_pair_kind_value {
+  ABUT_ELEMENT_PAIR_VERTEX_FACE = 0,
+  ABUT_ELEMENT_PAIR_EDGE_EDGE = 1,
+  ABUT_ELEMENT_PAIR_FACE_VERTEX = 2
+};
+typedef struct abut_element_pair {
+  abut_element_pair_kind kind;
+  uint32_t a;
+  uint32_t b;
+} abut_element_pair;
+typedef struct abut_crossing {
+  uint32_t edge;
+  uint32_t face;
+  uint32_t edge_is_of_b;
+  uint32_t reserved;
+  double share;
+  abut_vec3 point;
+} abut_crossing;
+abut_status abut_elements_candidates(abut_elements *a, abut_elements *b, const abut_elements_options *options,
+                                              abut_element_pair *pairs, size_t capacity, size_t *count);
+abut_status abut_elements_closest(abut_elements *a, abut_elements *b, const abut_elements_options *options,
+                                           abut_stencil *stencils, size_t capacity, size_t *count);
+abut_status abut_elements_first_touches(abut_elements *a, abut_elements *b,
+                                                 const abut_elements_options *options, abut_stencil *stencils,
+                                                 size_t capacity, size_t *count);
+abut_status abut_elements_crossings(abut_elements *a, abut_elements *b, const abut_elements_options *options,
+                                             abut_crossing *crossings, size_t capacity, size_t *count);
 typedef struct abut_movement {
   abut_vec3 velocity;
   abut_vec3 angular_velocity;

@@ -15,6 +15,7 @@
 #define ABUT_ABUT_HPP
 
 #include <abut/cpp/deforming.hpp>
+#include <abut/cpp/elements.hpp>
 #include <abut/cpp/impact.hpp>
 #include <abut/cpp/library.hpp>
 #include <abut/cpp/pair.hpp>

@@ -9,7 +9,7 @@ FLOORS = (
     ("mark", (("capi", "the C interface: abut.h"), ("picking", "Embree: picking.h"), ("response", "response.h"))),
     ("b", (("universe", "a step: stage by stage"), ("report", "what it did, and why"))),
     ("b", (("queries", "rays, points, casts"), ("detect", "poses to contacts, events"), ("scene", "parts, rules: no detection"))),
-    ("a", (("motion", "paths and impacts"), ("pairs", "shapes to a kernel"), ("elements", "features of meshes"), ("deforming", "moving vertices"))),
+    ("a", (("motion", "paths and impacts"), ("pairs", "shapes to a kernel"), ("proximity", "meshes that deform"), ("elements", "features of meshes"), ("deforming", "moving vertices"))),
     ("a", (("narrow", "two shapes to contacts"), ("broadphase", "boxes to pairs of boxes"), ("shapes", "one file per shape"))),
     ("good", (("trees", "from boxes to items"), ("triangles", "as they are given"), ("capability", "what shapes can do"))),
     ("good", (("math", "vectors, poses, boxes"), ("core", "ids, results, threads"))),

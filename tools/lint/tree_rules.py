@@ -34,6 +34,7 @@ LAYERS = [
     ("narrow/overlap",),
     ("pairs", "deforming"),
     ("elements",),
+    ("proximity",),
     ("pairs/rows",),
     ("pairs/registry",),
     ("pairs/any_shape",),

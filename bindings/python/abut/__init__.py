@@ -16,6 +16,7 @@ from . import given
 from .c import *
 from .c import library
 from .deforming import *
+from .elements import *
 from .impact import *
 from .lending import *
 from .pairs import *

@@ -86,6 +86,11 @@ def filter_of(fields: dict) -> Any:
     return byref(filled(c.QueryFilter, c.library.abut_query_filter_init, fields)) if fields else None
 
 
+def elements_options_of(fields: dict) -> Any:
+    """A pointer to options of searches of elements; none for the defaults."""
+    return byref(filled(c.ElementsOptions, c.library.abut_elements_options_init, fields)) if fields else None
+
+
 def impact_options_of(fields: dict) -> Any:
     """A pointer to options of times of impact; none for the defaults."""
     return byref(filled(c.ImpactOptions, c.library.abut_impact_options_init, fields)) if fields else None

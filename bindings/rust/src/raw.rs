@@ -814,6 +814,154 @@ extern "C" {
     ) -> abut_status;
 }
 #[repr(C)]
+#[derive(Debug, Copy, Clone)]
+pub struct abut_elements {
+    _unused: [u8; 0],
+}
+extern "C" {
+    pub fn abut_elements_create(shape: *const abut_shape, out: *mut *mut abut_elements) -> abut_status;
+}
+extern "C" {
+    pub fn abut_elements_destroy(elements: *mut abut_elements);
+}
+#[repr(C)]
+#[derive(Debug, Default, Copy, Clone)]
+pub struct abut_element_counts {
+    pub vertices: u64,
+    pub edges: u64,
+    pub triangles: u64,
+    pub faces: u64,
+}
+extern "C" {
+    pub fn abut_elements_count(elements: *const abut_elements, out: *mut abut_element_counts) -> abut_status;
+}
+extern "C" {
+    pub fn abut_elements_edges(
+        elements: *const abut_elements,
+        vertices: *mut u32,
+        capacity: usize,
+        count: *mut usize,
+    ) -> abut_status;
+}
+extern "C" {
+    pub fn abut_elements_set_vertices(
+        elements: *mut abut_elements,
+        start: *const f64,
+        end: *const f64,
+        vertex_count: usize,
+    ) -> abut_status;
+}
+pub type abut_closest_method = u32;
+pub const ABUT_CLOSEST_FEATURES: abut_closest_method_value = 0;
+pub const ABUT_CLOSEST_OF_FACES: abut_closest_method_value = 1;
+pub const ABUT_CLOSEST_ALL: abut_closest_method_value = 2;
+pub const ABUT_CLOSEST_OF_VERTICES: abut_closest_method_value = 3;
+pub const ABUT_CLOSEST_LOCAL_MINIMA: abut_closest_method_value = 4;
+pub type abut_closest_method_value = ::std::os::raw::c_uint;
+pub type abut_stencil_kind = u32;
+pub const ABUT_STENCIL_VERTEX_FACE: abut_stencil_kind_value = 0;
+pub const ABUT_STENCIL_EDGE_EDGE: abut_stencil_kind_value = 1;
+pub const ABUT_STENCIL_VERTEX_EDGE: abut_stencil_kind_value = 2;
+pub const ABUT_STENCIL_VERTEX_VERTEX: abut_stencil_kind_value = 3;
+pub type abut_stencil_kind_value = ::std::os::raw::c_uint;
+pub type abut_stencil_kinds = u32;
+pub type abut_elements_flags = u32;
+pub const ABUT_ELEMENTS_FRONTS_ONLY: abut_elements_flags_value = 1;
+pub type abut_elements_flags_value = ::std::os::raw::c_uint;
+#[repr(C)]
+#[derive(Debug, Default, Copy, Clone)]
+pub struct abut_elements_options {
+    pub struct_size: u32,
+    pub method: abut_closest_method,
+    pub kinds: abut_stencil_kinds,
+    pub flags: abut_elements_flags,
+    pub threads: u32,
+    pub reserved: u32,
+    pub reach: f64,
+    pub tolerance: f64,
+    pub rest_distance: f64,
+    pub cone_angle: f64,
+    pub cone_factor: f64,
+}
+extern "C" {
+    pub fn abut_elements_options_init(options: *mut abut_elements_options, struct_size: u32);
+}
+#[repr(C)]
+#[derive(Debug, Default, Copy, Clone)]
+pub struct abut_stencil {
+    pub kind: abut_stencil_kind,
+    pub of_a: u32,
+    pub element_a: u32,
+    pub element_b: u32,
+    pub vertices: [u32; 4usize],
+    pub weights: [f64; 4usize],
+    pub normal: abut_vec3,
+    pub distance: f64,
+    pub toi: f64,
+}
+pub type abut_element_pair_kind = u32;
+pub const ABUT_ELEMENT_PAIR_VERTEX_FACE: abut_element_pair_kind_value = 0;
+pub const ABUT_ELEMENT_PAIR_EDGE_EDGE: abut_element_pair_kind_value = 1;
+pub const ABUT_ELEMENT_PAIR_FACE_VERTEX: abut_element_pair_kind_value = 2;
+pub type abut_element_pair_kind_value = ::std::os::raw::c_uint;
+#[repr(C)]
+#[derive(Debug, Default, Copy, Clone)]
+pub struct abut_element_pair {
+    pub kind: abut_element_pair_kind,
+    pub a: u32,
+    pub b: u32,
+}
+#[repr(C)]
+#[derive(Debug, Default, Copy, Clone)]
+pub struct abut_crossing {
+    pub edge: u32,
+    pub face: u32,
+    pub edge_is_of_b: u32,
+    pub reserved: u32,
+    pub share: f64,
+    pub point: abut_vec3,
+}
+extern "C" {
+    pub fn abut_elements_candidates(
+        a: *mut abut_elements,
+        b: *mut abut_elements,
+        options: *const abut_elements_options,
+        pairs: *mut abut_element_pair,
+        capacity: usize,
+        count: *mut usize,
+    ) -> abut_status;
+}
+extern "C" {
+    pub fn abut_elements_closest(
+        a: *mut abut_elements,
+        b: *mut abut_elements,
+        options: *const abut_elements_options,
+        stencils: *mut abut_stencil,
+        capacity: usize,
+        count: *mut usize,
+    ) -> abut_status;
+}
+extern "C" {
+    pub fn abut_elements_first_touches(
+        a: *mut abut_elements,
+        b: *mut abut_elements,
+        options: *const abut_elements_options,
+        stencils: *mut abut_stencil,
+        capacity: usize,
+        count: *mut usize,
+    ) -> abut_status;
+}
+extern "C" {
+    pub fn abut_elements_crossings(
+        a: *mut abut_elements,
+        b: *mut abut_elements,
+        options: *const abut_elements_options,
+        crossings: *mut abut_crossing,
+        capacity: usize,
+        count: *mut usize,
+    ) -> abut_status;
+}
+#[repr(C)]
 #[derive(Debug, Default, Copy, Clone)]
 pub struct abut_movement {
     pub velocity: abut_vec3,

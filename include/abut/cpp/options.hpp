@@ -98,6 +98,19 @@ struct ImpactOptions : Defaulted<ImpactOptions, abut_impact_options, abut_impact
   [[nodiscard]] ImpactOptions with_threads(std::uint32_t value) const { return with(&C::threads, value); }
 };
 
+struct ElementsOptions : Defaulted<ElementsOptions, abut_elements_options, abut_elements_options_init> {
+  using C = abut_elements_options;
+  [[nodiscard]] ElementsOptions with_method(ClosestMethod value) const { return with(&C::method, value); }
+  [[nodiscard]] ElementsOptions with_kinds(abut_stencil_kinds value) const { return with(&C::kinds, value); }
+  [[nodiscard]] ElementsOptions with_flags(abut_elements_flags value) const { return with(&C::flags, value); }
+  [[nodiscard]] ElementsOptions with_threads(std::uint32_t value) const { return with(&C::threads, value); }
+  [[nodiscard]] ElementsOptions with_reach(double value) const { return with(&C::reach, value); }
+  [[nodiscard]] ElementsOptions with_tolerance(double value) const { return with(&C::tolerance, value); }
+  [[nodiscard]] ElementsOptions with_rest_distance(double value) const { return with(&C::rest_distance, value); }
+  [[nodiscard]] ElementsOptions with_cone_angle(double value) const { return with(&C::cone_angle, value); }
+  [[nodiscard]] ElementsOptions with_cone_factor(double value) const { return with(&C::cone_factor, value); }
+};
+
 struct QueryOptions : Defaulted<QueryOptions, abut_query_options, abut_query_options_init> {
   using C = abut_query_options;
   [[nodiscard]] QueryOptions with_algorithm(Algorithm value) const { return with(&C::algorithm, value); }

@@ -28,6 +28,7 @@ using ShapeKind = abut_shape_kind;
 // Enumerations whose values are those of the C interface: abut::Motion has ABUT_MOTION_STATIC.
 using Algorithm = abut_algorithm_value;
 using Broadphase = abut_broadphase_value;
+using ClosestMethod = abut_closest_method_value;
 using CollidableKind = abut_collidable_kind_value;
 using Detail = abut_detail_value;
 using HitMode = abut_hit_mode_value;
@@ -48,7 +49,10 @@ using VelocitySource = abut_velocity_source_value;
 using CastHit = abut_cast_hit;
 using Closest = abut_closest;
 using Contact = abut_contact;
+using Crossing = abut_crossing;
 using Distance = abut_distance;
+using ElementCounts = abut_element_counts;
+using ElementPair = abut_element_pair;
 using Event = abut_event;
 using Feature = abut_feature;
 using Finding = abut_finding;
@@ -64,6 +68,7 @@ using QueryHit = abut_query_hit;
 using RayHit = abut_ray_hit;
 using Revision = abut_revision;
 using SleepChange = abut_sleep_change;
+using Stencil = abut_stencil;
 using StepImpact = abut_step_impact;
 using Collidable = abut_collidable;
 

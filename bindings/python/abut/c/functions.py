@@ -124,6 +124,20 @@ FUNCTIONS = {
         POINTER(c_double), POINTER(c_double), c_size_t, c_double, c_double, POINTER(FirstTouch)]),
     "abut_edges_touch_edges": (Status, [
         POINTER(c_double), POINTER(c_double), c_size_t, c_double, c_double, POINTER(FirstTouch)]),
+    "abut_elements_create": (Status, [c_void_p, POINTER(c_void_p)]),
+    "abut_elements_destroy": (None, [c_void_p]),
+    "abut_elements_count": (Status, [c_void_p, POINTER(ElementCounts)]),
+    "abut_elements_edges": (Status, [c_void_p, POINTER(c_uint32), c_size_t, POINTER(c_size_t)]),
+    "abut_elements_set_vertices": (Status, [c_void_p, POINTER(c_double), POINTER(c_double), c_size_t]),
+    "abut_elements_options_init": (None, [POINTER(ElementsOptions), c_uint32]),
+    "abut_elements_candidates": (Status, [
+        c_void_p, c_void_p, POINTER(ElementsOptions), POINTER(ElementPair), c_size_t, POINTER(c_size_t)]),
+    "abut_elements_closest": (Status, [
+        c_void_p, c_void_p, POINTER(ElementsOptions), POINTER(Stencil), c_size_t, POINTER(c_size_t)]),
+    "abut_elements_first_touches": (Status, [
+        c_void_p, c_void_p, POINTER(ElementsOptions), POINTER(Stencil), c_size_t, POINTER(c_size_t)]),
+    "abut_elements_crossings": (Status, [
+        c_void_p, c_void_p, POINTER(ElementsOptions), POINTER(Crossing), c_size_t, POINTER(c_size_t)]),
     "abut_movement_between": (Status, [POINTER(Pose), POINTER(Pose), POINTER(Vec3), c_double, POINTER(Movement)]),
     "abut_impact_options_init": (None, [POINTER(ImpactOptions), c_uint32]),
     "abut_pair_time_of_impact": (Status, [

@@ -18,6 +18,8 @@ Doubles = Annotated[Any, POINTER(c_double)]
 UInt32s = Annotated[Any, POINTER(c_uint32)]
 Message = Annotated[bytes, c_char * 168]
 EightWords = Annotated[Any, c_uint64 * 8]
+FourDoubles = Annotated[Any, c_double * 4]
+FourUInt32s = Annotated[Any, c_uint32 * 4]
 
 
 def struct(cls: type[T]) -> type[T]:

@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: Apache-2.0
+// The whole step of a cloth through the C interface: candidates, first touches, closest features and crossings.
+//
+// usage: abut_bench_elements_c FOLDER
+//
+// FOLDER holds cloth_ball92.ply and cloth_ball93.ply; see cloth_file.hpp. The program fails unless its counts are the
+// published ones.
+#include <abut/abut.h>
+
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <ctime>
+#include <exception>
+#include <limits>
+#include <set>
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "cloth_file.hpp"
+
+namespace {
+
+void require(abut_status status) {
+  if (status != ABUT_OK) {
+    throw std::runtime_error(abut_last_error_message());
+  }
+}
+
+double clock_milliseconds() {
+  return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+double processor_milliseconds() { return 1e3 * static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
+
+// A search into the memory of the caller: the second of two calls is timed, by the processor and by the clock.
+template <class Value, class Ask>
+std::vector<Value> search(const char* what, Ask ask, abut_elements* elements, const abut_elements_options& options) {
+  std::size_t count = 0;
+  require(ask(elements, nullptr, &options, nullptr, 0, &count));
+  std::vector<Value> out(count);
+  const double start = processor_milliseconds(), at = clock_milliseconds();
+  require(ask(elements, nullptr, &options, out.data(), out.size(), &count));
+  std::printf("%-28s %9zu, %7.1f ms of the processor, %7.1f by the clock on %u threads\n", what, count,
+              processor_milliseconds() - start, clock_milliseconds() - at, options.threads);
+  return out;
+}
+
+bool check(const char* what, std::size_t got, std::size_t published) {
+  std::printf("%-28s %9zu, published %9zu%s\n", what, got, published, got == published ? "" : "  DIFFERENT");
+  return got == published;
+}
+
+struct Counts {
+  std::size_t vertices = 0, edges = 0;
+};
+template <class Value>
+Counts counts_of(const std::vector<Value>& all) {
+  Counts counts;
+  for (const Value& each : all) {
+    ++(each.kind == 1 ? counts.edges : counts.vertices);
+  }
+  return counts;
+}
+
+bool run(const std::string& folder) {
+  const auto now = abut_bench::read_cloth_frame(folder + "/cloth_ball92.ply");
+  const auto next = abut_bench::read_cloth_frame(folder + "/cloth_ball93.ply");
+  abut_shape* mesh = nullptr;
+  abut_elements* elements = nullptr;
+  require(abut_mesh_create(now.xyz.data(), now.xyz.size() / 3, now.triangles.data(), now.triangles.size() / 3, nullptr,
+                           &mesh));
+  const double start = processor_milliseconds();
+  require(abut_elements_create(mesh, &elements));
+  std::printf("create                       %7.1f ms\n", processor_milliseconds() - start);
+  abut_shape_release(mesh);
+  require(abut_elements_set_vertices(elements, now.xyz.data(), next.xyz.data(), now.xyz.size() / 3));
+
+  abut_elements_options options;
+  abut_elements_options_init(&options, sizeof options);
+  bool is_right = true;
+  for (const std::uint32_t threads : {1U, 2U}) {
+    options.threads = threads;
+    options.reach = 0;
+    const Counts pairs =
+        counts_of(search<abut_element_pair>("candidates", abut_elements_candidates, elements, options));
+    is_right = check("vertices and faces", pairs.vertices, 1655541) && is_right;
+    is_right = check("pairs of edges", pairs.edges, 5197332) && is_right;
+    const auto stencils = search<abut_stencil>("first touches", abut_elements_first_touches, elements, options);
+    const Counts touches = counts_of(stencils);
+    is_right = check("vertices that touch faces", touches.vertices, 19032) && is_right;
+    is_right = check("edges that touch", touches.edges, 94822) && is_right;
+    double first = std::numeric_limits<double>::infinity();
+    for (const abut_stencil& each : stencils) {
+      first = std::fmin(first, each.toi);
+    }
+    std::printf("earliest touch               %g\n", first);
+  }
+  std::set<std::pair<std::uint32_t, std::uint32_t>> crossing;
+  options.threads = 1;
+  for (const abut_crossing& each : search<abut_crossing>("crossings", abut_elements_crossings, elements, options)) {
+    crossing.insert({each.edge, each.face});
+  }
+  std::printf("edges that pass faces        %9zu\n", crossing.size());
+
+  // A thousandth of the size.
+  options.reach = 1e-3 * 2;
+  require(abut_elements_set_vertices(elements, now.xyz.data(), nullptr, now.xyz.size() / 3));
+  for (const abut_closest_method method : {ABUT_CLOSEST_FEATURES, ABUT_CLOSEST_OF_FACES, ABUT_CLOSEST_ALL,
+                                           ABUT_CLOSEST_OF_VERTICES, ABUT_CLOSEST_LOCAL_MINIMA}) {
+    options.method = method;
+    for (const std::uint32_t threads : {1U, 2U}) {
+      options.threads = threads;
+      search<abut_stencil>(("closest, method " + std::to_string(method)).c_str(), abut_elements_closest, elements,
+                           options);
+    }
+  }
+  abut_elements_destroy(elements);
+  return is_right;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  const std::span<char*> arguments(argv, static_cast<std::size_t>(argc));
+  if (arguments.size() != 2) {
+    std::fprintf(stderr, "usage: abut_bench_elements_c FOLDER\n");
+    return 2;
+  }
+  try {
+    return run(arguments[1]) ? 0 : 1;
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "%s\n", error.what());
+    return 2;
+  }
+}

@@ -1,0 +1,77 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Elements of meshes that deform."""
+
+import unittest
+
+import abut
+from abut import c
+
+# A vertex over the middle of a triangle, and the same sheet as one mesh.
+GROUND = [-1, -1, 0, 2, -1, 0, -1, 2, 0]
+TIP = [0, 0, 1, 0.2, 0, 2, 0, 0.2, 2]
+BELOW = [0, 0, -0.5, 0.2, 0, 0.5, 0, 0.2, 0.5]
+FACE = [0, 1, 2]
+
+
+def elements(xyz):
+    with abut.Shape.mesh(xyz, FACE) as shape:
+        return abut.Elements(shape)
+
+
+class Elements(unittest.TestCase):
+    def setUp(self):
+        self.tip, self.ground = elements(TIP), elements(GROUND)
+
+    def test_counts(self):
+        self.assertEqual(self.tip.count().faces, 1)
+        self.assertEqual(self.tip.edges(), [(0, 1), (0, 2), (1, 2)])
+
+    def test_closest(self):
+        self.assertEqual(len(self.tip.closest(self.ground, reach=0.5)), 0)
+        found = self.tip.closest(self.ground, reach=1)
+        self.assertEqual(len(found), 1)
+        self.assertEqual(found[0].kind, c.STENCIL_VERTEX_FACE)
+        self.assertEqual(found[0].distance, 1)
+        self.assertEqual(tuple(found[0].normal), (0, 0, -1))
+        self.assertAlmostEqual(sum(found[0].weights), 0)
+        self.assertEqual(len(self.tip.closest(reach=10)), 0, "a triangle with itself")
+        self.assertEqual(len(self.tip.candidates(self.ground, reach=1)), 8)
+
+    def test_first_touches(self):
+        self.tip.set_vertices(TIP, BELOW)
+        found = self.tip.first_touches(self.ground)
+        self.assertEqual(len(found), 1)
+        self.assertAlmostEqual(found[0].toi, 2 / 3, 8)
+        self.assertEqual(len(self.ground.crossings(self.tip)), 0)
+        self.tip.set_vertices(BELOW)
+        self.assertEqual([(each.edge, each.face, each.edge_is_of_b) for each in self.ground.crossings(self.tip)],
+                         [(0, 0, 1), (1, 0, 1)])
+
+    def test_refuses(self):
+        with self.assertRaises(abut.Error):
+            self.tip.set_vertices(TIP[:6])
+        with self.assertRaises(ValueError):
+            self.tip.set_vertices(TIP, TIP[:6])
+        with self.assertRaises(TypeError):
+            self.tip.closest(far=1)
+        with self.assertRaises(abut.Error):
+            abut.Elements(abut.Shape.sphere(1))
+        self.tip.close()
+        with self.assertRaises(ValueError):
+            self.tip.count()
+
+    def test_arrays(self):
+        try:
+            import numpy
+        except ImportError:
+            self.skipTest("without NumPy")
+        self.tip.set_vertices(numpy.array(TIP, float).reshape(3, 3))
+        found = self.tip.closest(self.ground, reach=1)
+        self.assertEqual(found.weights.shape, (1, 4))
+        places = numpy.concatenate([numpy.array(TIP, float).reshape(3, 3)[found.vertices[0, :1]],
+                                    numpy.array(GROUND, float).reshape(3, 3)[found.vertices[0, 1:]]])
+        numpy.testing.assert_allclose(found.weights[0] @ places, found.distance[0] * numpy.array([0, 0, -1]), atol=1e-15)
+
+
+if __name__ == "__main__":
+    unittest.main()

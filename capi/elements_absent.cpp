@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: Apache-2.0
+// Builds without the feature `deforming`.
+#include "elements_options.hpp"
+#include "guard.hpp"
+
+using namespace abut::capi;
+
+namespace {
+
+abut_status refuse_elements() {
+  return guard([] { return refuse(ABUT_UNSUPPORTED, "this build of abut is without the feature \"deforming\""); });
+}
+
+}  // namespace
+
+void abut_elements_options_init(abut_elements_options* options, uint32_t struct_size) {
+  fill_defaults(default_elements_options, struct_size, options);
+}
+
+abut_status abut_elements_create(const abut_shape* /*shape*/, abut_elements** /*out*/) { return refuse_elements(); }
+
+void abut_elements_destroy(abut_elements* /*elements*/) {}
+
+abut_status abut_elements_count(const abut_elements* /*elements*/, abut_element_counts* /*out*/) {
+  return refuse_elements();
+}
+
+abut_status abut_elements_edges(const abut_elements* /*elements*/, uint32_t* /*vertices*/, size_t /*capacity*/,
+                                size_t* /*count*/) {
+  return refuse_elements();
+}
+
+abut_status abut_elements_set_vertices(abut_elements* /*elements*/, const double* /*start*/, const double* /*end*/,
+                                       size_t /*vertex_count*/) {
+  return refuse_elements();
+}
+
+abut_status abut_elements_candidates(abut_elements* /*a*/, abut_elements* /*b*/,
+                                     const abut_elements_options* /*options*/, abut_element_pair* /*pairs*/,
+                                     size_t /*capacity*/, size_t* /*count*/) {
+  return refuse_elements();
+}
+
+abut_status abut_elements_closest(abut_elements* /*a*/, abut_elements* /*b*/, const abut_elements_options* /*options*/,
+                                  abut_stencil* /*stencils*/, size_t /*capacity*/, size_t* /*count*/) {
+  return refuse_elements();
+}
+
+abut_status abut_elements_first_touches(abut_elements* /*a*/, abut_elements* /*b*/,
+                                        const abut_elements_options* /*options*/, abut_stencil* /*stencils*/,
+                                        size_t /*capacity*/, size_t* /*count*/) {
+  return refuse_elements();
+}
+
+abut_status abut_elements_crossings(abut_elements* /*a*/, abut_elements* /*b*/,
+                                    const abut_elements_options* /*options*/, abut_crossing* /*crossings*/,
+                                    size_t /*capacity*/, size_t* /*count*/) {
+  return refuse_elements();
+}

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: Apache-2.0
+// Elements of meshes that deform.
+#include <abut/abut.hpp>
+#include <gtest/gtest.h>
+
+#include <vector>
+
+namespace {
+
+const std::vector<double> ground{-1, -1, 0, 2, -1, 0, -1, 2, 0}, tip{0, 0, 1, 0.2, 0, 2, 0, 0.2, 2},
+    below{0, 0, -0.5, 0.2, 0, 0.5, 0, 0.2, 0.5};
+
+abut::Elements elements_of(const std::vector<double>& xyz) {
+  return abut::Elements::of(abut::Shape::mesh(xyz, {{0, 1, 2}}));
+}
+
+TEST(Elements, TellWhatIsNearAndWhatTouches) {
+  abut::Elements a = elements_of(tip), b = elements_of(ground);
+  EXPECT_EQ(a.count().faces, 1U);
+  EXPECT_EQ(a.edges().size(), 3U);
+  const auto near = abut::ElementsOptions().with_reach(1).with_method(ABUT_CLOSEST_ALL);
+  const std::vector<abut::Stencil> closest = a.closest(b, near);
+  ASSERT_EQ(closest.size(), 1U);
+  EXPECT_EQ(closest[0].distance, 1);
+  EXPECT_TRUE(a.closest(near).empty());
+  EXPECT_EQ(a.candidates(b, near).size(), 8U);
+  EXPECT_TRUE(a.candidates(near).empty());
+
+  a.set_vertices(tip, below);
+  const std::vector<abut::Stencil> touches = a.first_touches(b);
+  ASSERT_EQ(touches.size(), 1U);
+  EXPECT_NEAR(touches[0].toi, 2.0 / 3, 1e-9);
+  EXPECT_TRUE(a.first_touches().empty());
+  EXPECT_TRUE(a.crossings(b).empty());
+  a.set_vertices(below);
+  EXPECT_EQ(a.crossings(b).size(), 2U);
+  EXPECT_TRUE(a.crossings().empty());
+}
+
+// More than a list has room for at first.
+TEST(Elements, AnswerLongLists) {
+  std::vector<double> xyz;
+  std::vector<std::uint32_t> triangles;
+  for (std::uint32_t i = 0; i < 50; ++i) {
+    for (std::uint32_t j = 0; j < 50; ++j) {
+      xyz.insert(xyz.end(), {double(i), double(j), 0});
+      if (i < 49 && j < 49) {
+        const std::uint32_t k = 50 * i + j;
+        triangles.insert(triangles.end(), {k, k + 50, k + 51, k, k + 51, k + 1});
+      }
+    }
+  }
+  abut::Elements sheet = abut::Elements::of(abut::Shape::mesh(xyz, triangles));
+  EXPECT_EQ(sheet.edges().size(), 7301U);
+  const auto near = abut::ElementsOptions().with_reach(1.5);
+  const std::vector<abut::Stencil> closest = sheet.closest(near);
+  EXPECT_GT(closest.size(), 1024U);
+  EXPECT_EQ(sheet.closest(near).size(), closest.size());
+}
+
+TEST(Elements, RefuseWhatIsWrong) {
+  abut::Elements none, a = elements_of(tip);
+  EXPECT_THROW(static_cast<void>(none.count()), abut::Error);
+  EXPECT_THROW(static_cast<void>(abut::Elements::of(abut::Shape::sphere(1))), abut::Error);
+  EXPECT_THROW(a.set_vertices(std::vector<double>(6)), abut::Error);
+  EXPECT_THROW(a.set_vertices(tip, std::vector<double>(6)), abut::Error);
+  EXPECT_THROW(static_cast<void>(a.closest(abut::ElementsOptions().with_reach(-1))), abut::Error);
+}
+
+}  // namespace
