@@ -33,6 +33,7 @@ struct abut_elements {
   abut::Crossings crossings;
   std::vector<abut::Stencil> stencils;
   std::vector<abut::Crossing> found_crossings;
+  std::vector<std::vector<abut_element_pair>> found_pairs;  // by task
 };
 
 namespace {
@@ -171,44 +172,42 @@ abut_stencil from_stencil(const abut::Stencil& its) {
   return out;
 }
 
-// Fills as many as fit, in the order of tasks.
-class CandidateList {
- public:
-  CandidateList(abut_elements& a, const abut_elements& b, const Search& search, const abut::Workers& workers) {
-    const std::uint32_t kinds = search.closest.kinds == 0 ? kinds_of_candidates : search.closest.kinds;
-    found_.resize(a.candidates.tasks());
-    a.candidates.for_each_candidates(a.body, b.body, workers, [&](std::size_t task, const abut::Candidates& its) {
-      std::vector<abut_element_pair>& found = found_[task];
-      if ((kinds & bit(StencilKind::vertex_face)) != 0) {
-        for (const auto& [vertex, face] : its.vertices_and_faces.list()) {
-          found.push_back({ABUT_ELEMENT_PAIR_VERTEX_FACE, vertex, face});
-        }
-        for (const auto& [vertex, face] : its.faces_and_vertices.list()) {
-          found.push_back({ABUT_ELEMENT_PAIR_FACE_VERTEX, face, vertex});
-        }
-      }
-      if ((kinds & bit(StencilKind::edge_edge)) != 0) {
-        for (const auto& [first, second] : its.edges.list()) {
-          found.push_back({ABUT_ELEMENT_PAIR_EDGE_EDGE, first, second});
-        }
-      }
-    });
+void find_candidates(abut_elements& a, const abut_elements& b, const Search& search, const abut::Workers& workers) {
+  const std::uint32_t kinds = search.closest.kinds == 0 ? kinds_of_candidates : search.closest.kinds;
+  a.found_pairs.resize(std::max(a.found_pairs.size(), a.candidates.tasks()));
+  for (std::vector<abut_element_pair>& found : a.found_pairs) {
+    found.clear();
   }
-
-  [[nodiscard]] std::size_t write(std::span<abut_element_pair> out) const {
-    std::size_t count = 0;
-    for (const std::vector<abut_element_pair>& found : found_) {
-      if (count < out.size()) {
-        std::copy_n(found.begin(), std::min(found.size(), out.size() - count), out.subspan(count).begin());
+  a.candidates.for_each_candidates(a.body, b.body, workers, [&](std::size_t task, const abut::Candidates& its) {
+    std::vector<abut_element_pair>& found = a.found_pairs[task];
+    if ((kinds & bit(StencilKind::vertex_face)) != 0) {
+      for (const auto& [vertex, face] : its.vertices_and_faces.list()) {
+        found.push_back({ABUT_ELEMENT_PAIR_VERTEX_FACE, vertex, face});
       }
-      count += found.size();
+      for (const auto& [vertex, face] : its.faces_and_vertices.list()) {
+        found.push_back({ABUT_ELEMENT_PAIR_FACE_VERTEX, face, vertex});
+      }
     }
-    return count;
-  }
+    if ((kinds & bit(StencilKind::edge_edge)) != 0) {
+      for (const auto& [first, second] : its.edges.list()) {
+        const bool are_turned = &a == &b && second < first;
+        found.push_back({ABUT_ELEMENT_PAIR_EDGE_EDGE, are_turned ? second : first, are_turned ? first : second});
+      }
+    }
+  });
+}
 
- private:
-  std::vector<std::vector<abut_element_pair>> found_;  // by task
-};
+// As many as fit, in the order of tasks. Answers how many there are.
+std::size_t write_candidates(const abut_elements& elements, std::span<abut_element_pair> out) {
+  std::size_t count = 0;
+  for (const std::vector<abut_element_pair>& found : elements.found_pairs) {
+    if (count < out.size()) {
+      std::copy_n(found.begin(), std::min(found.size(), out.size() - count), out.subspan(count).begin());
+    }
+    count += found.size();
+  }
+  return count;
+}
 
 }  // namespace
 
@@ -282,7 +281,8 @@ abut_status abut_elements_candidates(abut_elements* a, abut_elements* b, const a
                   if (status == ABUT_OK) {
                     const abut::Workers workers(search.threads);
                     its.candidates.begin(its.body, other.body, search.closest.reach, workers);
-                    *count = CandidateList(its, other, search, workers).write(out);
+                    find_candidates(its, other, search, workers);
+                    *count = write_candidates(its, out);
                   }
                   return status;
                 });

@@ -1019,7 +1019,7 @@ typedef struct abut_elements abut_elements;
  *
  * The vertices rest where the shape has them, and also begin there, in the frame of the shape.
  * ABUT_UNSUPPORTED for shapes without triangles, ABUT_OUT_OF_RANGE for coordinates beyond 1e50.
- * Complexity O(n log n); of 92,000 triangles 40 ms. [any]
+ * Complexity O(n log n); of 92,000 triangles some 0.2 s. [any]
  */
 ABUT_API abut_status abut_elements_create(const abut_shape *shape, abut_elements **out);
 
@@ -1175,7 +1175,7 @@ ABUT_API abut_status abut_elements_candidates(abut_elements *a, abut_elements *b
  * ABUT_CLOSEST_ALL and ABUT_CLOSEST_OF_VERTICES tell of each vertex the feature that is nearest.
  * @param b        may be null
  * @param options  may be null
- * Complexity: candidates at 10 million a second on one thread, plus k log k for the k features near a vertex. Source:
+ * Complexity: candidates at 15 million a second on one thread, plus k log k for the k features near a vertex. Source:
  * docs/deformables.md. [any]
  */
 ABUT_API abut_status abut_elements_closest(abut_elements *a, abut_elements *b, const abut_elements_options *options,

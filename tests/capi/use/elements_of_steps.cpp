@@ -75,6 +75,88 @@ TEST(ElementsCandidates, HoldWhatIsNear) {
   EXPECT_EQ(of_edges.size() + of_vertices.size(), pairs.size());
 }
 
+// Boxes in single precision are exact for whole multiples of 2^-14. Then candidates are those whose boxes overlap.
+struct Box {
+  Wide3 low{INFINITY, INFINITY, INFINITY}, high{-INFINITY, -INFINITY, -INFINITY};
+  template <class Vertices>
+  Box(const Vertices& vertices, const Surface& start, const std::vector<double>& end, Wide reach) {
+    for (const std::uint32_t vertex : vertices) {
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        for (const Wide at : {start.vertex(vertex).at(axis), Wide(end.at(3 * vertex + axis))}) {
+          low.at(axis) = std::min(low.at(axis), at - reach);
+          high.at(axis) = std::max(high.at(axis), at + reach);
+        }
+      }
+    }
+  }
+  bool overlaps(const Box& other) const {
+    bool all = true;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      all = all && low.at(axis) <= other.high.at(axis) && other.low.at(axis) <= high.at(axis);
+    }
+    return all;
+  }
+};
+using Pairs = std::set<std::array<std::uint32_t, 3>>;  // kind, of a, of b
+Pairs overlaps_of_all(const Surface& a, const std::vector<double>& end_a, const Surface& b,
+                      const std::vector<double>& end_b, Wide half) {
+  Pairs out;
+  const bool is_one = &a == &b;
+  for (const bool is_of_b : {false, true}) {
+    const Surface &own = is_of_b ? b : a, &other = is_of_b ? a : b;
+    for (std::uint32_t vertex = 0; vertex < own.vertex_count() && !(is_one && is_of_b); ++vertex) {
+      const Box around(std::array{vertex}, own, is_of_b ? end_b : end_a, half);
+      for (std::uint32_t face = 0; face < other.face_count(); ++face) {
+        if (is_one && have_common(std::array{vertex}, other.face(face))) continue;
+        if (!around.overlaps({other.face(face), other, is_of_b ? end_a : end_b, half})) continue;
+        if (is_of_b) out.insert({ABUT_ELEMENT_PAIR_FACE_VERTEX, face, vertex});
+        if (!is_of_b) out.insert({ABUT_ELEMENT_PAIR_VERTEX_FACE, vertex, face});
+      }
+    }
+  }
+  const auto edges_a = a.edges(), edges_b = b.edges();
+  for (std::uint32_t i = 0; i < edges_a.size(); ++i) {
+    for (std::uint32_t j = is_one ? i + 1 : 0; j < edges_b.size(); ++j) {
+      if (is_one && have_common(edges_a[i], edges_b[j])) continue;
+      if (Box(edges_a[i], a, end_a, half).overlaps({edges_b[j], b, end_b, half})) {
+        out.insert({ABUT_ELEMENT_PAIR_EDGE_EDGE, i, j});
+      }
+    }
+  }
+  return out;
+}
+TEST(ElementsCandidates, AreThoseWhoseBoxesOverlap) {
+  for (const unsigned seed : {1U, 2U}) {
+    SCOPED_TRACE(testing::Message() << "seed " << seed);
+    std::mt19937 random(seed);
+    std::array<Surface, 2> meshes{folded_surface(9, 0.02, random), folded_surface(8, 0.02, random)};
+    std::array<std::vector<double>, 2> ends;
+    for (std::size_t which = 0; which < 2; ++which) {
+      ends.at(which) = moved(meshes.at(which), 0.05, random);
+      for (std::vector<double>* places : {&meshes.at(which).xyz, &ends.at(which)}) {
+        for (double& value : *places) value = std::round(value * 0x1p14) * 0x1p-14;
+      }
+    }
+    const ElementsOf a(meshes[0]), b(meshes[1]);
+    require(abut_elements_set_vertices(a, meshes[0].xyz.data(), ends[0].data(), meshes[0].vertex_count()));
+    require(abut_elements_set_vertices(b, meshes[1].xyz.data(), ends[1].data(), meshes[1].vertex_count()));
+    for (const double wanted_reach : {0.0, 0.0625}) {
+      for (const bool is_one : {true, false}) {
+        Pairs got;
+        for (const abut_element_pair& pair :
+             all_of<abut_element_pair>(abut_elements_candidates, a, is_one ? nullptr : static_cast<abut_elements*>(b),
+                                       elements_options(wanted_reach))) {
+          EXPECT_TRUE(got.insert({pair.kind, pair.a, pair.b}).second) << "told twice";
+        }
+        const std::size_t other = is_one ? 0 : 1;
+        const Pairs wanted = overlaps_of_all(meshes[0], ends[0], is_one ? meshes[0] : meshes.at(other),
+                                             is_one ? ends[0] : ends.at(other), 0.5L * wanted_reach);
+        EXPECT_EQ(got, wanted) << wanted_reach << (is_one ? " of one" : " of two");
+      }
+    }
+  }
+}
+
 // All pairs on their ways, one after the other.
 std::set<std::tuple<std::uint32_t, std::uint32_t, std::uint32_t, std::uint32_t>> touches_by_all_pairs(
     const Surface& a, const std::vector<double>& end_a, const Surface& b, const std::vector<double>& end_b,
