@@ -52,9 +52,6 @@ abut_status read_settings(double separation, double tolerance, abut::TouchSettin
 template <class Answer>
 abut_status answer_all(const double* start, const double* end, std::size_t count, double separation, double tolerance,
                        abut_first_touch* out, const Answer& answer) {
-  if (!abut::has_deforming()) {
-    return refuse(ABUT_UNSUPPORTED, "this build of abut is without the feature \"deforming\"");
-  }
   std::span<const double> starts, ends;
   abut::TouchSettings settings;
   std::span<abut_first_touch> answers;

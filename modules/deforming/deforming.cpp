@@ -55,8 +55,6 @@ MovingTouch first_of(const MovingTouch& a, const MovingTouch& b) {
 
 }  // namespace
 
-bool has_deforming() { return true; }
-
 MovingTouch first_touch_of_vertex_and_face(const MovingPoint& vertex, const std::array<MovingPoint, 3>& face,
                                            const TouchSettings& settings) {
   const std::array<MovingDifference, 3> corners{{{vertex, face[0]}, {vertex, face[1]}, {vertex, face[2]}}};

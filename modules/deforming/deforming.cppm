@@ -18,9 +18,6 @@ struct MovingTouch {
   Real lower = 0, upper = 0;
 };
 
-// Whether this build answers. Only then may the others be called.
-[[nodiscard]] bool has_deforming();
-
 // With a separation of 0, whether they touch is exact: shapes that come to one point do, and no rounding of the inputs
 // or of the answer adds or takes away a touch. The times are those of exact arithmetic, rounded outward.
 //
