@@ -467,7 +467,7 @@ TEST(ElementsClosest, RenumberingChangesNoDistance) {
   Surface other{std::vector<double>(mesh.xyz.size()), {}};
   for (std::size_t i = 0; i < number.size(); ++i)
     std::copy_n(mesh.xyz.begin() + long(3 * i), 3, other.xyz.begin() + long(3 * number[i]));
-  for (std::uint32_t face = mesh.face_count(); face-- > 0;) {
+  for (std::uint32_t face = std::uint32_t(mesh.face_count()); face-- > 0;) {
     const auto [a, b, c] = mesh.face(face);
     if (face % 2 == 0) other.triangles.insert(other.triangles.end(), {number[b], number[c], number[a]});
     if (face % 2 == 1) other.triangles.insert(other.triangles.end(), {number[c], number[b], number[a]});
