@@ -8,6 +8,6 @@ target_link_libraries(abut_response PUBLIC abut::abut PRIVATE abut_response_modu
 target_include_directories(abut_response PRIVATE ${CMAKE_CURRENT_SOURCE_DIR} ${PROJECT_SOURCE_DIR}/modules)
 abut_wrap_memory(abut_response)
 abut_wrap_foreign_memory(abut_response)
-abut_limit_exports(abut_response ${CMAKE_CURRENT_SOURCE_DIR}/response.map)
+abut_limit_exports(abut_response ABUT_RESPONSE_0 response_symbols.txt)
 set_target_properties(abut_response PROPERTIES
   VERSION ${PROJECT_VERSION} SOVERSION ${abut_soversion})

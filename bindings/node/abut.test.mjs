@@ -4,7 +4,8 @@ import { test } from 'node:test';
 import koffi from 'koffi';
 import { AbutError, Shape, Universe, pairCast, pairCasts, pairContactLists, pairContacts, pairDistance, pairDistances, pairOverlaps, pairsOverlap,
   pose, version } from 'abut';
-import { abut, structs } from './library.mjs';
+import { abut } from './library.mjs';
+import { structs } from './raw.mjs';
 
 const vector = (x, y, z) => ({ x, y, z });
 const square = [-1, -1, 0, 1, -1, 0, 1, 1, 0, -1, 1, 0];
@@ -29,13 +30,11 @@ const refused = (status, words, call) =>
 
 test('structs are those of the library', () => {
   const byName = Object.fromEntries(Object.values(structs).map((struct) => [struct.name, struct]));
-  const seen = new Set();
   for (let i = 0; i < Number(abut.abut_layout_count()); ++i) {
     const entry = {};
     abut.abut_layout_at(i, entry);
     const struct = byName[entry.type];
-    if (struct === undefined) continue;
-    seen.add(entry.type);
+    assert.ok(struct, entry.type);
     if (entry.field === '') {
       assert.equal(koffi.sizeof(struct), Number(entry.size), entry.type);
       continue;
@@ -43,7 +42,6 @@ test('structs are those of the library', () => {
     const field = entry.field.replace(/_(.)/g, (_, letter) => letter.toUpperCase());
     assert.equal(koffi.offsetof(struct, field), Number(entry.offset), `${entry.type}.${field}`);
   }
-  assert.deepEqual([...seen].sort(), Object.keys(byName).sort());
   assert.match(version(), /^0\.2\./);
 });
 

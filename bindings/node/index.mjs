@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // abut for Node: shapes, queries on two of them, and universes. index.d.ts describes all of it.
 import {
-  abut, answer, codecs, expectAsMany, made, options, poseAt, posesOf, refuse, structs, vectorAt, vectorsOf,
+  abut, answer, codecs, expectAsMany, made, options, poseAt, posesOf, refuse, vectorAt, vectorsOf,
 } from './library.mjs';
+import { structs } from './raw.mjs';
 
 export { AbutError } from './library.mjs';
 export { Universe } from './universe.mjs';

@@ -1,91 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
-// The C interface as far as the package uses it: structs, functions, failures. include/abut/abut.h describes each.
+// The C interface as functions that throw, and structs as objects. include/abut/abut.h describes each.
 import koffi from 'koffi';
 import { Codec } from './codec.mjs';
-
-const vector = koffi.struct('abut_vec3', { x: 'double', y: 'double', z: 'double' });
-const quaternion = koffi.struct('abut_quat', { w: 'double', x: 'double', y: 'double', z: 'double' });
-const pose = koffi.struct('abut_pose', { position: vector, orientation: quaternion });
-const id = { slot: 'uint32_t', generation: 'uint32_t' };
-const partId = koffi.struct('abut_part_id', id);
-const geometryId = koffi.struct('abut_geometry_id', id);
-const feature = koffi.struct('abut_feature', { kind: 'uint32_t', index: 'uint32_t' });
-const distance = koffi.struct('abut_distance', {
-  distance: 'double', lower: 'double', upper: 'double', pointA: vector, pointB: vector, normal: vector,
-  algorithm: 'uint32_t', iterations: 'uint32_t',
-});
-
-export const structs = {
-  vector, quaternion, pose, partId, geometryId, feature, distance,
-  contact: koffi.struct('abut_contact', {
-    geometryA: geometryId, geometryB: geometryId, id: 'uint64_t', featureA: feature, featureB: feature,
-    childA: 'uint32_t', childB: 'uint32_t', pointA: vector, pointB: vector, normal: vector, distance: 'double',
-    toi: 'double', flags: 'uint32_t', age: 'uint32_t', userData: 'uint64_t', materialA: 'uint32_t',
-    materialB: 'uint32_t', tangent: vector, reserved: 'uint64_t',
-  }),
-  event: koffi.struct('abut_event', {
-    kind: 'uint32_t', flags: 'uint32_t', geometryA: geometryId, geometryB: geometryId, contactId: 'uint64_t',
-    firstContact: 'uint32_t', contactCount: 'uint32_t',
-  }),
-  ray: koffi.struct('abut_ray', { origin: vector, direction: vector, maxDistance: 'double' }),
-  hit: koffi.struct('abut_query_hit', {
-    geometry: geometryId, feature, child: 'uint32_t', reserved: 'uint32_t', distance: 'double', point: vector,
-    normal: vector,
-  }),
-  castHit: koffi.struct('abut_cast_hit', {
-    geometry: geometryId, fraction: 'double', contact: distance, featureA: feature, featureB: feature,
-    childA: 'uint32_t', childB: 'uint32_t',
-  }),
-  closest: koffi.struct('abut_closest', { geometry: geometryId, distance }),
-  heightFieldDesc: koffi.struct('abut_height_field_desc', {
-    structSize: 'uint32_t', diagonal: 'uint32_t', columns: 'uint32_t', rows: 'uint32_t', spacingX: 'double',
-    spacingY: 'double', heights: 'double *', below: 'uint32_t', reserved: 'uint32_t',
-  }),
-  collidable: koffi.struct('abut_collidable', { kind: 'uint32_t', slot: 'uint32_t', generation: 'uint32_t' }),
-  shapeDesc: koffi.struct('abut_shape_desc', {
-    structSize: 'uint32_t', kind: 'uint32_t', parameters: 'double *', parameterCount: 'uint64_t', reals: 'double *',
-    realCount: 'uint64_t', indices: 'uint32_t *', indexCount: 'uint64_t',
-  }),
-  meshOptions: koffi.struct('abut_mesh_options', {
-    structSize: 'uint32_t', sides: 'uint32_t', corners: 'uint32_t', mergesVertices: 'uint32_t', mergeDistance: 'double',
-    tree: 'uint32_t', reserved: 'uint32_t',
-  }),
-  queryOptions: koffi.struct('abut_query_options', {
-    structSize: 'uint32_t', algorithm: 'uint32_t', errorBound: 'double', margin: 'double', maxContacts: 'uint32_t',
-    maxPairContacts: 'uint32_t', threads: 'uint32_t', reserved: 'uint32_t',
-  }),
-  universeOptions: koffi.struct('abut_universe_options', {
-    structSize: 'uint32_t', broadphase: 'uint32_t', toleranceMode: 'uint32_t', maxContacts: 'uint32_t', origin: vector,
-    threads: 'uint32_t', events: 'uint32_t', flags: 'uint32_t', maxPairContacts: 'uint32_t',
-  }),
-  partOptions: koffi.struct('abut_part_options', {
-    structSize: 'uint32_t', motion: 'uint32_t', pose, userData: 'uint64_t',
-  }),
-  geometryOptions: koffi.struct('abut_geometry_options', {
-    structSize: 'uint32_t', flags: 'uint32_t', pose, tolerance: 'double', userData: 'uint64_t', layers: 'uint64_t',
-    mask: 'uint64_t', exclusion: 'uint64_t', label: 'uint32_t', tag: 'uint32_t', material: 'uint32_t',
-    parking: 'uint32_t',
-  }),
-  queryFilter: koffi.struct('abut_query_filter', {
-    structSize: 'uint32_t', flags: 'uint32_t', layers: 'uint64_t', mask: 'uint64_t', ignorePart: partId,
-    ignoreGeometry: geometryId, rayStart: 'uint32_t', reserved: 'uint32_t',
-  }),
-  layoutEntry: koffi.struct('abut_layout_entry', { type: 'str', field: 'str', offset: 'uint64_t', size: 'uint64_t' }),
-};
+import { prototypes, structs, version } from './raw.mjs';
 
 /** How structs that calls take and answer lie in memory. */
 export const codecs = Object.fromEntries(
   ['vector', 'pose', 'partId', 'geometryId', 'distance', 'contact', 'event', 'ray', 'hit', 'castHit', 'closest', 'collidable']
     .map((name) => [name, new Codec(structs[name])]));
 
-koffi.opaque('abut_shape');
-koffi.opaque('abut_universe');
-export const Filter = koffi.pointer(koffi.proto(
-  'uint32_t abut_filter(void *context, void *universe, abut_geometry_id a, abut_geometry_id b)'));
+// Below 1.0 the structs of each minor version differ.
+const soversion = version.major === 0 ? `0.${version.minor}` : version.major;
 
 /** The library of that name, or the file that a variable of the environment names. */
-export function load(soname, variable) {
-  const name = process.env[variable] ?? soname;
+export function load(file, variable) {
+  const name = process.env[variable] ?? `${file}.so.${soversion}`;
   try {
     return koffi.load(name);
   } catch (thrown) {
@@ -93,7 +22,7 @@ export function load(soname, variable) {
   }
 }
 
-const library = load('libabut.so.0.2', 'ABUT_LIBRARY');
+const library = load('libabut', 'ABUT_LIBRARY');
 
 // A declaration becomes a function; one that answers a status throws what it stands for.
 function declare(its, prototype) {
@@ -121,102 +50,14 @@ export function refuse(text) {
   throw new AbutError('ABUT_INVALID_ARGUMENT', text);
 }
 
-const prototypes = [
-  'int32_t abut_check_version(uint32_t major, uint32_t minor)',
-  'const char *abut_version_string()',
-  'size_t abut_layout_count()',
-  'int32_t abut_layout_at(size_t index, _Out_ abut_layout_entry *out)',
-
-  'int32_t abut_sphere_create(double radius, _Out_ abut_shape **out)',
-  'int32_t abut_box_create(double x, double y, double z, _Out_ abut_shape **out)',
-  'int32_t abut_capsule_create(double radius, double half_height, _Out_ abut_shape **out)',
-  'int32_t abut_cylinder_create(double radius, double half_height, _Out_ abut_shape **out)',
-  'int32_t abut_plane_create(const abut_vec3 *normal, double offset, _Out_ abut_shape **out)',
-  'int32_t abut_hull_create(const double *xyz, size_t count, _Out_ abut_shape **out)',
-  'int32_t abut_mesh_create(const double *xyz, size_t count, const uint32_t *triangles, size_t triangle_count, ' +
-    'const abut_mesh_options *options, _Out_ abut_shape **out)',
-  'int32_t abut_height_field_create(const abut_height_field_desc *desc, _Out_ abut_shape **out)',
-  'int32_t abut_particles_create(const double *xyz, size_t count, double radius, _Out_ abut_shape **out)',
-  'int32_t abut_composite_create(abut_shape **children, const abut_pose *poses, size_t count, _Out_ abut_shape **out)',
-  'int32_t abut_shape_create(const abut_shape_desc *desc, _Out_ abut_shape **out)',
-  'void abut_shape_release(abut_shape *shape)',
-  'uint32_t abut_shape_kind_by_name(const char *name)',
-  'const char *abut_shape_kind_name(uint32_t kind)',
-  'uint32_t abut_shape_kind_of(abut_shape *shape)',
-
-  'int32_t abut_pair_distance(abut_shape *a, const abut_pose *pose_a, abut_shape *b, const abut_pose *pose_b, ' +
-    'const abut_query_options *options, abut_distance *out)',
-  'int32_t abut_pair_overlaps(abut_shape *a, const abut_pose *pose_a, abut_shape *b, const abut_pose *pose_b, ' +
-    'const abut_query_options *options, _Out_ uint32_t *out)',
-  'int32_t abut_pairs_overlap(abut_shape **shapes_a, const abut_pose *poses_a, abut_shape **shapes_b, ' +
-    'const abut_pose *poses_b, size_t count, const abut_query_options *options, void *out)',
-  'int32_t abut_pairs_distance(abut_shape *a, const abut_pose *poses_a, abut_shape *b, const abut_pose *poses_b, ' +
-    'size_t count, const abut_query_options *options, void *out)',
-  'int32_t abut_pair_contacts(abut_shape *a, const abut_pose *pose_a, abut_shape *b, const abut_pose *pose_b, ' +
-    'const abut_query_options *options, void *contacts, size_t capacity, _Out_ size_t *count)',
-
-  'int32_t abut_pair_cast(abut_shape *a, const abut_pose *pose_a, const abut_vec3 *displacement_a, abut_shape *b, ' +
-    'const abut_pose *pose_b, const abut_vec3 *displacement_b, const abut_query_options *options, void *hit, ' +
-    '_Out_ uint32_t *found)',
-
-  'int32_t abut_pairs_contacts(abut_shape *a, const abut_pose *poses_a, abut_shape *b, const abut_pose *poses_b, ' +
-    'size_t pair_count, const abut_query_options *options, void *offsets, void *contacts, size_t capacity, ' +
-    '_Out_ size_t *count)',
-  'int32_t abut_pairs_cast(abut_shape *a, const abut_pose *poses_a, const abut_vec3 *displacements_a, abut_shape *b, ' +
-    'const abut_pose *poses_b, const abut_vec3 *displacements_b, size_t count, const abut_query_options *options, ' +
-    'void *hits)',
-
-  'int32_t abut_universe_create(const abut_universe_options *options, _Out_ abut_universe **out)',
-  'void abut_universe_destroy(abut_universe *universe)',
-  'int32_t abut_part_create(abut_universe *universe, const abut_part_options *options, abut_part_id *out)',
-  'int32_t abut_part_destroy(abut_universe *universe, abut_part_id part)',
-  'int32_t abut_part_set_pose(abut_universe *universe, abut_part_id part, const abut_pose *pose)',
-  'int32_t abut_parts_set_poses(abut_universe *universe, const abut_part_id *parts, const abut_pose *poses, size_t count)',
-  'int32_t abut_part_pose(abut_universe *universe, abut_part_id part, abut_pose *out)',
-  'int32_t abut_part_set_motion(abut_universe *universe, abut_part_id part, uint32_t motion)',
-  'int32_t abut_part_user_data(abut_universe *universe, abut_part_id part, _Out_ uint64_t *out)',
-  'int32_t abut_part_geometries(abut_universe *universe, abut_part_id part, void *geometries, size_t capacity, ' +
-    '_Out_ size_t *count)',
-  'int32_t abut_universe_parts(abut_universe *universe, void *parts, size_t capacity, _Out_ size_t *count)',
-  'int32_t abut_geometry_create(abut_universe *universe, abut_part_id part, abut_shape *shape, ' +
-    'const abut_geometry_options *options, abut_geometry_id *out)',
-  'int32_t abut_geometry_destroy(abut_universe *universe, abut_geometry_id geometry)',
-  'int32_t abut_geometry_set_options(abut_universe *universe, abut_geometry_id geometry, ' +
-    'const abut_geometry_options *options)',
-  'int32_t abut_geometry_set_shape(abut_universe *universe, abut_geometry_id geometry, abut_shape *shape)',
-  'int32_t abut_rule_set(abut_universe *universe, const abut_collidable *a, const abut_collidable *b, uint32_t rule)',
-  'int32_t abut_rules_clear(abut_universe *universe)',
-  'int32_t abut_universe_why_apart(abut_universe *universe, abut_geometry_id a, abut_geometry_id b, _Out_ uint32_t *out)',
-  'int32_t abut_geometry_park(abut_universe *universe, abut_geometry_id geometry, uint32_t parking)',
-  'int32_t abut_universe_set_filter(abut_universe *universe, abut_filter *filter, void *context)',
-  'int32_t abut_universe_refilter(abut_universe *universe)',
-  'int32_t abut_universe_step(abut_universe *universe, double dt)',
-  'int32_t abut_universe_detect_all(abut_universe *universe)',
-  'int32_t abut_universe_refresh(abut_universe *universe)',
-  'int32_t abut_universe_contacts(abut_universe *universe, _Out_ void **contacts, _Out_ size_t *count)',
-  'int32_t abut_universe_events(abut_universe *universe, _Out_ void **events, _Out_ size_t *count)',
-  'int32_t abut_universe_explain(abut_universe *universe, void *text, size_t capacity, _Out_ size_t *needed)',
-  'int32_t abut_universe_cast_rays(abut_universe *universe, const abut_ray *rays, size_t count, ' +
-    'const abut_query_filter *filter, void *hits)',
-  'int32_t abut_universe_cast_shape(abut_universe *universe, abut_shape *shape, const abut_pose *pose, ' +
-    'const abut_vec3 *displacement, const abut_query_filter *filter, uint32_t mode, void *hits, size_t capacity, ' +
-    '_Out_ size_t *count)',
-  'int32_t abut_universe_overlaps(abut_universe *universe, abut_shape *shape, const abut_pose *pose, ' +
-    'const abut_query_filter *filter, double margin, void *geometries, size_t capacity, _Out_ size_t *count)',
-  'int32_t abut_universe_closest(abut_universe *universe, abut_shape *shape, const abut_pose *pose, double max_distance, ' +
-    'const abut_query_filter *filter, abut_closest *out, _Out_ uint32_t *found)',
-  ...Object.entries(structs).filter(([name]) => /Options|Filter|Desc/.test(name)).map(([, struct]) =>
-    `void ${struct.name}_init(_Out_ ${struct.name} *out, uint32_t struct_size)`),
-];
-
 /** Functions of a library, by their names in its header. */
 export function declaredIn(its, declarations) {
   return Object.fromEntries(declarations.map((text) => [/(abut_\w+)\(/.exec(text)[1], declare(its, text)]));
 }
 
-export const abut = declaredIn(library, prototypes);
+export const abut = declaredIn(library, prototypes.abut);
 
-abut.abut_check_version(0, 2);
+abut.abut_check_version(version.major, version.minor);
 
 /** What a call writes to a pointer that is its last argument. */
 export function made(call, ...values) {

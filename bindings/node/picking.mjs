@@ -1,34 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // abut/picking for Node: rays and the mouse against a universe, through Embree. picking.d.ts describes all of it.
-import koffi from 'koffi';
-import { codecs, declaredIn, load, numberOf, options, refuse, structs } from './library.mjs';
+import { codecs, declaredIn, load, numberOf, options, refuse } from './library.mjs';
+import { prototypes, structs } from './raw.mjs';
 import { Universe } from './universe.mjs';
 
-const camera = koffi.struct('abut_camera', {
-  structSize: 'uint32_t', width: 'uint32_t', height: 'uint32_t', reserved: 'uint32_t', pose: structs.pose,
-  verticalFov: 'double', nearDistance: 'double', farDistance: 'double',
-});
-koffi.opaque('abut_picker');
+const picking = declaredIn(load('libabut_picking', 'ABUT_PICKING_LIBRARY'), prototypes.picking);
 
-const picking = declaredIn(load('libabut_picking.so.0.2', 'ABUT_PICKING_LIBRARY'), [
-  'void abut_camera_init(_Out_ abut_camera *camera, uint32_t struct_size)',
-  'int32_t abut_camera_look_at(_Inout_ abut_camera *camera, const abut_vec3 *eye, const abut_vec3 *target, ' +
-    'const abut_vec3 *up)',
-  'int32_t abut_camera_ray(const abut_camera *camera, double x, double y, void *out)',
-  'int32_t abut_picker_create(abut_universe *universe, _Out_ abut_picker **out)',
-  'void abut_picker_destroy(abut_picker *picker)',
-  'int32_t abut_picker_update(abut_picker *picker)',
-  'int32_t abut_picker_cast_rays(abut_picker *picker, const abut_ray *rays, size_t count, uint32_t coherence, ' +
-    'const abut_query_filter *filter, void *out)',
-  'int32_t abut_picker_cast_ray_all(abut_picker *picker, const abut_ray *ray, const abut_query_filter *filter, ' +
-    'void *picks, size_t capacity, _Out_ size_t *count)',
-  'int32_t abut_picker_pick_pixel(abut_picker *picker, const abut_camera *camera, double x, double y, double radius, ' +
-    'const abut_query_filter *filter, void *out)',
-  'int32_t abut_picker_render(abut_picker *picker, const abut_camera *camera, const abut_query_filter *filter, void *out, ' +
-    'size_t capacity)',
-]);
-
-const cameraOptions = (fields) => options(camera, fields, picking);
+const cameraOptions = (fields) => options(structs.camera, fields, picking);
 const picksOf = (memory, count) => memory.first(count).map((pick) => (pick.geometry.slot === 0 ? null : pick));
 
 export class Camera {

@@ -2,8 +2,9 @@
 // A universe: parts that move, geometries on them, and steps that find what touches.
 import koffi from 'koffi';
 import {
-  Filter, abut, answer, codecs, expectAsMany, made, numberOf, options, poseAt, posesOf, refuse, structs, vectorAt,
+  abut, answer, codecs, expectAsMany, made, numberOf, options, poseAt, posesOf, refuse, vectorAt,
 } from './library.mjs';
+import { callbacks, structs } from './raw.mjs';
 
 const eventKinds = ['begin', 'persist', 'end'];
 const hitNearest = 0;
@@ -150,7 +151,7 @@ export class Universe {
         return 1;
       }
     };
-    const callback = keeps ? koffi.register(ask, Filter) : null;
+    const callback = keeps ? koffi.register(ask, callbacks.filter) : null;
     abut.abut_universe_set_filter(pointer, callback, null);
     if (held.callback) koffi.unregister(held.callback);
     held.callback = callback;

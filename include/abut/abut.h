@@ -274,31 +274,31 @@ enum abut_query_value ABUT_ENUM(uint32_t) {
  */
 ABUT_API abut_status abut_pair_support(abut_shape_kind kind_a, abut_shape_kind kind_b, abut_query query, uint32_t *out);
 
-/** Solid ball of a positive radius, centred. [any] */
+/** Solid ball, centred; radius > 0. [any] */
 ABUT_API abut_status abut_sphere_create(double radius, abut_shape **out);
 
-/** Solid box, centred; half extents are positive, or zero for a flat box. [any] */
+/** Solid box, centred; half_x >= 0, half_y >= 0, half_z >= 0, zero for a flat box. [any] */
 ABUT_API abut_status abut_box_create(double half_x, double half_y, double half_z, abut_shape **out);
 
 /**
- * Solid capsule along local Z: all points within `radius` (positive) of the segment from
- * (0, 0, -half_height) to (0, 0, half_height), half_height >= 0. [any]
+ * Solid capsule along local Z: all points within a radius of the segment from (0, 0, -half_height) to
+ * (0, 0, half_height); radius > 0, half_height >= 0. [any]
  */
 ABUT_API abut_status abut_capsule_create(double radius, double half_height, abut_shape **out);
 
-/** Solid cylinder along local Z with flat ends, centred; neither is negative. [any] */
+/** Solid cylinder along local Z with flat ends, centred; radius >= 0, half_height >= 0. [any] */
 ABUT_API abut_status abut_cylinder_create(double radius, double half_height, abut_shape **out);
 
-/** Solid cone along local Z, neither is negative: base at -half_height, apex at +half_height. [any] */
+/** Solid cone along local Z: base at -half_height, apex at +half_height; radius >= 0, half_height >= 0. [any] */
 ABUT_API abut_status abut_cone_create(double radius, double half_height, abut_shape **out);
 
-/** Solid ellipsoid, centred; radii along the axes, none negative. [any] */
+/** Solid ellipsoid, centred; radii along the axes: radius_x >= 0, radius_y >= 0, radius_z >= 0. [any] */
 ABUT_API abut_status abut_ellipsoid_create(double radius_x, double radius_y, double radius_z, abut_shape **out);
 
 /** The origin of its frame. [any] */
 ABUT_API abut_status abut_point_create(abut_shape **out);
 
-/** Segment along local Z from -half_length to +half_length, which is not negative. [any] */
+/** Segment along local Z from -half_length to +half_length; half_length >= 0. [any] */
 ABUT_API abut_status abut_segment_create(double half_length, abut_shape **out);
 
 /** Triangle of any three points; both of its sides stop other shapes. [any] */
@@ -618,7 +618,7 @@ enum abut_open_ends_value ABUT_ENUM(uint32_t) {
 };
 
 /**
- * Cavity of the shape of a cylinder along local Z, centred; neither number is negative. The hole goes on without end
+ * Cavity of the shape of a cylinder along local Z, centred; radius >= 0, half_height >= 0. The hole goes on without end
  * beyond an open end. [any]
  */
 ABUT_API abut_status abut_cylinder_hole_create(double radius, double half_height, abut_open_ends open_ends,
@@ -636,8 +636,8 @@ enum abut_open_faces_value ABUT_ENUM(uint32_t) {
 };
 
 /**
- * Cavity of the shape of a box, centred; no half extent is negative. Faces of one axis may be open: those of two are
- * ABUT_INVALID_ARGUMENT. The hole goes on without end beyond an open face. [any]
+ * Cavity of the shape of a box, centred; half_x >= 0, half_y >= 0, half_z >= 0. Faces of one axis may be open: those of
+ * two are ABUT_INVALID_ARGUMENT. The hole goes on without end beyond an open face. [any]
  */
 ABUT_API abut_status abut_box_hole_create(double half_x, double half_y, double half_z, abut_open_faces open_faces,
                                           abut_shape **out);
@@ -1472,11 +1472,11 @@ typedef struct abut_sleep {
 ABUT_API void abut_sleep_init(abut_sleep *sleep, uint32_t struct_size);
 
 /**
- * Lets a part fall asleep; null: it never does by itself, which is the default. Dynamic parts that touch fall asleep
- * together, in the step in which each of them has been calm for its steps. They stay awake while one of their touches
- * begins or ends. They also do while one of them never sleeps, or an animated or static part that they touch has moved.
- * Only abut_universe_step with dt above 0 measures, counts and sends to sleep. A sleeping part wakes in the next step
- * or detection, with all dynamic parts that it touches, directly or through others, when
+ * Lets a part fall asleep. `sleep` may be null: it never does by itself, which is the default. Dynamic parts that touch
+ * fall asleep together, in the step in which each of them has been calm for its steps. They stay awake while one of
+ * their touches begins or ends. They also do while one of them never sleeps, or an animated or static part that they
+ * touch has moved. Only abut_universe_step with dt above 0 measures, counts and sends to sleep. A sleeping part wakes
+ * in the next step or detection, with all dynamic parts that it touches, directly or through others, when
  *  - its pose changes in any way, or its motion, its thresholds, or the geometries that it has, their shapes or
  *  options;
  *  - the surface of an animated or static part changes where its box reaches;
@@ -1678,8 +1678,8 @@ ABUT_API abut_status abut_geometry_set_field_lattice(abut_universe *universe, ab
  * Moves particles of a geometry, as abut_geometry_set_parameters changes parameters.
  * @param first  the first one that changes
  * @param xyz    count * 3 numbers, the centres, copied
- * @param radii  count numbers, not negative, copied, for particles with radii of their own; null: radii stay as they
- *               are
+ * @param radii  count numbers, not negative, copied, for particles with radii of their own; may be null: radii stay as
+ *               they are
  * @param count  how many change; with 0 nothing changes
  * ABUT_INDEX_OUT_OF_RANGE beyond the last particle, ABUT_UNSUPPORTED for other kinds, and for radii of particles with
  * one radius in common. Complexity O(particles); the grid is built anew when a query next needs it, in O(particles).
@@ -1729,7 +1729,8 @@ ABUT_API abut_status abut_geometry_remove_triangles(abut_universe *universe, abu
 
 /**
  * Makes the mesh or the uv_grid of a geometry anew of triangles, on the sides and cells that it has. Unlike
- * abut_geometry_set_shape it ends no contact where the same triangle, by its number, still touches. [exclusive]
+ * abut_geometry_set_shape it ends no contact where the same triangle, by its number, still touches. Parameters as those
+ * of abut_mesh_create. [exclusive]
  */
 ABUT_API abut_status abut_geometry_set_mesh(abut_universe *universe, abut_geometry_id geometry, const double *xyz,
                                             size_t vertex_count, const uint32_t *triangles, size_t triangle_count);
@@ -1915,13 +1916,16 @@ typedef struct abut_policy {
 ABUT_API void abut_policy_init(abut_policy *policy, uint32_t struct_size);
 
 /**
- * Sets how geometries of two tags (below 64) meet, in either order; null goes back to the default. One broad phase
- * serves all policies. [exclusive]
+ * Sets how geometries of two tags (`tag_a` and `tag_b` are below 64) meet, in either order. `policy` may be null, which
+ * goes back to the default. One broad phase serves all policies. [exclusive]
  */
 ABUT_API abut_status abut_policy_set(abut_universe *universe, uint32_t tag_a, uint32_t tag_b,
                                      const abut_policy *policy);
 
-/** How geometries of two tags meet. Set struct_size, or use the _init function, before asking. [const] */
+/**
+ * How geometries of two tags meet; `tag_a` and `tag_b` are below 64. Set struct_size, or use the _init function, before
+ * asking. [const]
+ */
 ABUT_API abut_status abut_policy_get(const abut_universe *universe, uint32_t tag_a, uint32_t tag_b, abut_policy *out);
 
 /**
@@ -1945,8 +1949,8 @@ ABUT_API void abut_focus_init(abut_focus *focus, uint32_t struct_size);
  * between it keeps its tag. abut_geometry_describe shows it. Pairs of a geometry whose tag changes are found anew in
  * that step, whatever their period, if it covers them; the filter is not asked again. Parked geometries keep their tag
  * until they come back. Boxes are those of the broad phase: in single precision, rounded outwards, inflated in
- * ABUT_TOLERANCE_MARGIN. Null sets none, which is the default, and leaves tags as they are. Without centres everything
- * is far. Complexity O(count), without an allocation unless there are more centres than ever; the next step
+ * ABUT_TOLERANCE_MARGIN. `focus` may be null, which is the default, and leaves tags as they are. Without centres
+ * everything is far. Complexity O(count), without an allocation unless there are more centres than ever; the next step
  * O(geometries * count) if anything has changed, and O(moved geometries * count) each later one. [exclusive]
  */
 ABUT_API abut_status abut_universe_set_focus(abut_universe *universe, const abut_focus *focus, const abut_vec3 *centres,
@@ -1972,7 +1976,8 @@ typedef struct abut_contact_material {
 ABUT_API void abut_contact_material_init(abut_contact_material *material, uint32_t struct_size);
 
 /**
- * Sets the row of two materials, in either order; null takes it away. Numbers are finite and not negative.
+ * Sets the row of two materials, in either order; `row` may be null, which takes it away. Numbers are finite and not
+ * negative.
  * Complexity O(log rows). [exclusive]
  */
 ABUT_API abut_status abut_material_pair_set(abut_universe *universe, uint32_t material_a, uint32_t material_b,
@@ -2017,7 +2022,8 @@ ABUT_API abut_status abut_universe_detect_pairs(abut_universe *universe, const a
                                                 const abut_geometry_id *b, size_t count);
 
 /**
- * The same for the pairs whose boxes both meet a region, and so for every contact in it. Its sides may be infinite.
+ * The same for the pairs whose boxes both meet a region, and so for every contact in it.
+ * @param region  its sides may be infinite
  * [exclusive]
  */
 ABUT_API abut_status abut_universe_detect_region(abut_universe *universe, const abut_aabb *region);
@@ -2293,7 +2299,8 @@ enum abut_velocity_source_value ABUT_ENUM(uint32_t) {
 };
 
 /**
- * Gives a part a velocity; null takes it away. Numbers are finite and at most 1e70. O(1). [exclusive]
+ * Gives a part a velocity; `velocity` may be null, which takes it away. Numbers are finite and at most 1e70. O(1).
+ * [exclusive]
  */
 ABUT_API abut_status abut_part_set_velocity(abut_universe *universe, abut_part_id part, const abut_velocity *velocity);
 
@@ -2328,9 +2335,9 @@ typedef struct abut_acceleration {
 } abut_acceleration;
 
 /**
- * Gives a part an acceleration; null takes it away. It stays until it is set again, and changes no velocity. A part
- * without a velocity starts from rest. Of a part that is measured it counts for nothing. Numbers are finite and at most
- * 1e70. O(1). [exclusive]
+ * Gives a part an acceleration; `acceleration` may be null, which takes it away. It stays until it is set again, and
+ * changes no velocity. A part without a velocity starts from rest. Of a part that is measured it counts for nothing.
+ * Numbers are finite and at most 1e70. O(1). [exclusive]
  */
 ABUT_API abut_status abut_part_set_acceleration(abut_universe *universe, abut_part_id part,
                                                 const abut_acceleration *acceleration);
@@ -2403,7 +2410,7 @@ ABUT_API abut_status abut_universe_impacts(const abut_universe *universe, const 
  * nothing up until they have parted, as above. Sensors hold nothing up, nor do pairs that a policy treats as boxes.
  * Velocities stay as they are. It brings boxes up to date as abut_universe_refresh does, finds velocities that are
  * measured, and may ask the filter. It detects no contacts.
- * @param dt   as in abut_universe_step
+ * @param dt   not negative, as in abut_universe_step
  * @param out  the impact, without contacts. Where there is none, the geometries are null, and `lower` and `upper` 1
  * Complexity as a step for the fast geometries. [exclusive]
  */
@@ -2470,7 +2477,7 @@ enum abut_ray_start_value ABUT_ENUM(uint32_t) {
 
 /**
  * Which geometries a query looks at: those that it does not ignore, whose layers meet its mask and whose mask meets its
- * layers. Null, where a filter may be, is the default one.
+ * layers. A filter may be null, which is the default one.
  */
 typedef struct abut_query_filter {
   uint32_t struct_size;
@@ -2586,7 +2593,7 @@ ABUT_API abut_status abut_universe_cast_movements(const abut_universe *universe,
  * made: the first common point decides, as with abut_pair_overlaps. A one-sided surface counts where the shape reaches
  * before its front, also around its border, where there may be no contact.
  * @param filter  may be null
- * @param margin  as in abut_query_options; 0 for what touches, may be negative
+ * @param margin  as in abut_query_options; 0 for what touches, may also be less
  * [const]
  */
 ABUT_API abut_status abut_universe_overlaps(const abut_universe *universe, const abut_shape *shape,

@@ -214,7 +214,7 @@ ABUT_API abut_status abut_response_body(const abut_response *response, abut_part
 /**
  * Pushes a body in the next step, in addition to what pushes it already. Wakes the part.
  * @param force  in newtons, world frame; at most 1e30
- * @param at     point of the world; null for the centre of mass
+ * @param at     point of the world; may be null for the centre of mass
  * ABUT_STALE_ID where the part is no body. [exclusive]
  */
 ABUT_API abut_status abut_response_apply_force(abut_response *response, abut_part_id part, const abut_vec3 *force,
@@ -245,7 +245,7 @@ ABUT_API abut_status abut_response_set_force_callback(abut_response *response, a
  * ABUT_UNSUPPORTED, too.
  * @param masses      count numbers, 1e-30 to 1e30; 0 for a particle that is held
  * @param xyz         count * 3 numbers, centres in the world; the geometry takes them
- * @param velocities  count * 3 numbers; null for 0
+ * @param velocities  count * 3 numbers; may be null for 0
  * @param count       of the geometry; particles beyond are walls
  * [exclusive]
  */
@@ -339,10 +339,10 @@ typedef struct abut_response_side {
  * Appends a rule: contacts of the two sides, in either order, have that kind and these parameters. The first rule that
  * fits counts; where none does, contacts have the kind "friction". Numbers that are not given are those of the
  * materials.
- * @param a           a side; null for any
- * @param b           the other side
+ * @param a           a side; may be null for any
+ * @param b           the other side; may be null for any
  * @param kind        name of a kind
- * @param parameters  such as "mu=0.5&k=1e4"; null for none. `$name$` stands for a variable. There are:
+ * @param parameters  such as "mu=0.5&k=1e4"; may be null for none. `$name$` stands for a variable. There are:
  *                    mu (both frictions), mu1, mu2, static (static_scale), k (N/m; the compliance is 1/k), compliance,
  *                    d (damping), e (restitution), threshold (restitution_threshold), adhesion (adhesive_force), all as
  *                    in abut_contact_material; break (N, 0: never; of stick), epsilon (1e-8 to 1, default 0.01; of
@@ -355,7 +355,10 @@ ABUT_API abut_status abut_response_add_rule(abut_response *response, const abut_
                                             const abut_response_side *b, const char *kind, const char *parameters,
                                             uint32_t *out);
 
-/** Gives a rule other parameters, from the next step on. ABUT_INDEX_OUT_OF_RANGE beyond the last rule. [exclusive] */
+/**
+ * Gives a rule other parameters, from the next step on; `parameters` may be null for none. ABUT_INDEX_OUT_OF_RANGE
+ * beyond the last rule. [exclusive]
+ */
 ABUT_API abut_status abut_response_set_rule_parameters(abut_response *response, uint32_t rule, const char *parameters);
 
 /** Takes all rules away. Those of single geometries and variables stay. [exclusive] */
@@ -366,7 +369,8 @@ ABUT_API abut_status abut_response_set_variable(abut_response *response, const c
 
 /**
  * What all contacts of a geometry do, before any rule. Of two geometries that both have one, that of the lower slot
- * counts. A null kind takes it away. ABUT_STALE_ID for a geometry that is none. [exclusive]
+ * counts. `kind` may be null, which takes it away, and `parameters` may be null for none. ABUT_STALE_ID for a geometry
+ * that is none. [exclusive]
  */
 ABUT_API abut_status abut_response_set_geometry_kind(abut_response *response, abut_geometry_id geometry,
                                                      const char *kind, const char *parameters);

@@ -20,7 +20,7 @@ namespace Abut
             return true;
         }
 
-        private static Shape Made(int status, IntPtr pointer)
+        private static Shape Made(Status status, IntPtr pointer)
         {
             Native.Check(status);
             return new Shape(pointer);
@@ -53,7 +53,7 @@ namespace Abut
         /// <summary>The convex hull of points.</summary>
         public static Shape Hull(Vector[] points)
         {
-            return Made(Native.abut_hull_create(points, Count(points), out IntPtr shape), shape);
+            return Made(Native.abut_hull_create(Numbers(points), Count(points), out IntPtr shape), shape);
         }
 
         /// <summary>A surface of triangles, each three indices, counter-clockwise seen from the front.</summary>
@@ -65,13 +65,13 @@ namespace Abut
             }
             var count = (UIntPtr)(uint)(triangles.Length / 3);
             return Made(Native.abut_mesh_create(
-                vertices, Count(vertices), triangles, count, IntPtr.Zero, out IntPtr shape), shape);
+                Numbers(vertices), Count(vertices), triangles, count, null, out IntPtr shape), shape);
         }
 
         /// <summary>Any kind that numbers describe, such as "cone" from radius and half height.</summary>
         public static Shape OfKind(string kind, params double[] parameters)
         {
-            Native.abut_shape_desc_init(out Native.ShapeDesc desc, (uint)Marshal.SizeOf(typeof(Native.ShapeDesc)));
+            Native.abut_shape_desc_init(out ShapeDesc desc, (uint)Marshal.SizeOf(typeof(ShapeDesc)));
             GCHandle pinned = GCHandle.Alloc(parameters, GCHandleType.Pinned);
             try
             {
@@ -89,6 +89,18 @@ namespace Abut
         /// <summary>Name of the kind, such as "sphere".</summary>
         public string Kind => Native.Text(Native.abut_shape_kind_name(Native.abut_shape_kind_of(this)));
 
+        private static double[] Numbers(Vector[] vectors)
+        {
+            var numbers = new double[3 * vectors.Length];
+            for (int i = 0; i < vectors.Length; ++i)
+            {
+                numbers[3 * i] = vectors[i].X;
+                numbers[3 * i + 1] = vectors[i].Y;
+                numbers[3 * i + 2] = vectors[i].Z;
+            }
+            return numbers;
+        }
+
         private static UIntPtr Count(Array values) => (UIntPtr)(uint)values.Length;
     }
 
@@ -98,7 +110,7 @@ namespace Abut
         /// <summary>Their signed distance.</summary>
         public static Distance Distance(Shape a, Pose poseA, Shape b, Pose poseB)
         {
-            Native.Check(Native.abut_pair_distance(a, ref poseA, b, ref poseB, IntPtr.Zero, out Distance distance));
+            Native.Check(Native.abut_pair_distance(a, ref poseA, b, ref poseB, null, out Distance distance));
             return distance;
         }
 
@@ -106,9 +118,9 @@ namespace Abut
         public static bool Overlaps(Shape a, Pose poseA, Shape b, Pose poseB, double margin = 0)
         {
             Native.abut_query_options_init(
-                out Native.QueryOptions options, (uint)Marshal.SizeOf(typeof(Native.QueryOptions)));
+                out QueryOptions options, (uint)Marshal.SizeOf(typeof(QueryOptions)));
             options.Margin = margin;
-            Native.Check(Native.abut_pair_overlaps(a, ref poseA, b, ref poseB, ref options, out uint overlap));
+            Native.Check(Native.abut_pair_overlaps(a, ref poseA, b, ref poseB, new[] { options }, out uint overlap));
             return overlap == 1;
         }
 
@@ -118,7 +130,7 @@ namespace Abut
             ExpectAsMany("posesA", posesA, "posesB", posesB);
             var distances = new Distance[posesA.Length];
             Native.Check(Native.abut_pairs_distance(
-                a, posesA, b, posesB, (UIntPtr)(uint)posesA.Length, IntPtr.Zero, distances));
+                a, posesA, b, posesB, (UIntPtr)(uint)posesA.Length, null, distances));
             return distances;
         }
 
@@ -126,7 +138,7 @@ namespace Abut
         public static Contact[] Contacts(Shape a, Pose poseA, Shape b, Pose poseB)
         {
             return Native.Filled<Contact>(8, (Contact[] contacts, UIntPtr capacity, out UIntPtr count) =>
-                Native.abut_pair_contacts(a, ref poseA, b, ref poseB, IntPtr.Zero, contacts, capacity, out count));
+                Native.abut_pair_contacts(a, ref poseA, b, ref poseB, null, contacts, capacity, out count));
         }
 
         /// <summary>The same for many pairs of poses, in one call: an array for each pair.</summary>
@@ -137,7 +149,7 @@ namespace Abut
             var pairs = (UIntPtr)(uint)posesA.Length;
             Contact[] all = Native.Filled<Contact>(
                 4 * posesA.Length, (Contact[] contacts, UIntPtr capacity, out UIntPtr count) => Native.abut_pairs_contacts(
-                    a, posesA, b, posesB, pairs, IntPtr.Zero, offsets, contacts, capacity, out count));
+                    a, posesA, b, posesB, pairs, null, offsets, contacts, capacity, out count));
             var lists = new Contact[posesA.Length][];
             for (int i = 0; i < lists.Length; ++i)
             {
@@ -157,7 +169,7 @@ namespace Abut
             ExpectAsMany("posesA", posesA, "displacementsB", displacementsB);
             var hits = new CastHit[posesA.Length];
             Native.Check(Native.abut_pairs_cast(
-                a, posesA, displacementsA, b, posesB, displacementsB, (UIntPtr)(uint)hits.Length, IntPtr.Zero, hits));
+                a, posesA, displacementsA, b, posesB, displacementsB, (UIntPtr)(uint)hits.Length, null, hits));
             return Array.ConvertAll(hits, hit => double.IsInfinity(hit.Fraction) ? (CastHit?)null : hit);
         }
 

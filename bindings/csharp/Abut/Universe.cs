@@ -9,16 +9,16 @@ namespace Abut
     public sealed class Universe : SafeHandle
     {
         // The library keeps the function, so nobody may collect it.
-        private Native.Filter filter;
+        private Filter filter;
         private Exception failure;
 
         /// <param name="threads">Of a step; 0 is as many as there may be.</param>
         public Universe(uint threads = 1) : base(IntPtr.Zero, true)
         {
             Native.abut_universe_options_init(
-                out Native.UniverseOptions options, (uint)Marshal.SizeOf(typeof(Native.UniverseOptions)));
+                out UniverseOptions options, (uint)Marshal.SizeOf(typeof(UniverseOptions)));
             options.Threads = threads;
-            Native.Check(Native.abut_universe_create(ref options, out IntPtr universe));
+            Native.Check(Native.abut_universe_create(new[] { options }, out IntPtr universe));
             SetHandle(universe);
         }
 
@@ -33,10 +33,10 @@ namespace Abut
         /// <summary>Creates a part, which has no geometry yet.</summary>
         public PartId AddPart(Pose pose, Motion motion = Motion.Dynamic)
         {
-            Native.abut_part_options_init(out Native.PartOptions options, (uint)Marshal.SizeOf(typeof(Native.PartOptions)));
+            Native.abut_part_options_init(out PartOptions options, (uint)Marshal.SizeOf(typeof(PartOptions)));
             options.Pose = pose;
             options.Motion = motion;
-            Native.Check(Native.abut_part_create(this, ref options, out PartId part));
+            Native.Check(Native.abut_part_create(this, new[] { options }, out PartId part));
             return part;
         }
 
@@ -49,7 +49,7 @@ namespace Abut
         /// <summary>Puts a shape on a part. The universe keeps the shape alive.</summary>
         public GeometryId AddGeometry(PartId part, Shape shape)
         {
-            Native.Check(Native.abut_geometry_create(this, part, shape, IntPtr.Zero, out GeometryId geometry));
+            Native.Check(Native.abut_geometry_create(this, part, shape, null, out GeometryId geometry));
             return geometry;
         }
 
@@ -71,14 +71,14 @@ namespace Abut
         public GeometryId[] Overlaps(Shape shape, Pose pose, double margin = 0)
         {
             return Native.Filled<GeometryId>(8, (GeometryId[] place, UIntPtr capacity, out UIntPtr count) =>
-                Native.abut_universe_overlaps(this, shape, ref pose, IntPtr.Zero, margin, place, capacity, out count));
+                Native.abut_universe_overlaps(this, shape, ref pose, null, margin, place, capacity, out count));
         }
 
         /// <summary>Says which pairs that come near are kept; null keeps all. What it throws keeps the pair, and comes out
         /// of the step.</summary>
         public void SetFilter(Func<GeometryId, GeometryId, bool> keeps)
         {
-            Native.Filter asked = null;
+            Filter asked = null;
             if (keeps != null)
             {
                 asked = (context, universe, a, b) => Ask(keeps, a, b);
@@ -104,7 +104,7 @@ namespace Abut
         /// <summary>Finds what touches at the present poses; dt is the time since the step before. It moves nothing.</summary>
         public void Step(double dt)
         {
-            int status = Native.abut_universe_step(this, dt);
+            Status status = Native.abut_universe_step(this, dt);
             GC.KeepAlive(filter);
             Exception thrown = failure;
             failure = null;
@@ -145,8 +145,9 @@ namespace Abut
         public Hit? CastRay(Vector origin, Vector direction, double maxDistance = double.PositiveInfinity)
         {
             var ray = new Ray { Origin = origin, Direction = direction, MaxDistance = maxDistance };
-            Native.Check(Native.abut_universe_cast_rays(this, ref ray, (UIntPtr)1u, IntPtr.Zero, out Hit hit));
-            return hit.Geometry.Slot != 0 ? hit : (Hit?)null;
+            var hits = new Hit[1];
+            Native.Check(Native.abut_universe_cast_rays(this, new[] { ray }, (UIntPtr)1u, null, hits));
+            return hits[0].Geometry.Slot != 0 ? hits[0] : (Hit?)null;
         }
     }
 }

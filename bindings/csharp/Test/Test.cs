@@ -59,27 +59,18 @@ namespace Abut
             var sizes = new Dictionary<string, ulong>();
             for (uint i = 0; i < (uint)Native.abut_layout_count(); ++i)
             {
-                Native.Check(Native.abut_layout_at((UIntPtr)i, out Native.LayoutEntry entry));
+                Native.Check(Native.abut_layout_at((UIntPtr)i, out LayoutEntry entry));
                 string field = Native.Text(entry.Field);
                 sizes[Native.Text(entry.Type) + "." + field] = field == "" ? entry.Size : entry.Offset;
             }
-            foreach (var each in new Dictionary<string, Type>
+            foreach (var each in Native.Sizes)
             {
-                { "vec3", typeof(Vector) }, { "quat", typeof(Quaternion) }, { "pose", typeof(Pose) },
-                { "part_id", typeof(PartId) }, { "geometry_id", typeof(GeometryId) }, { "feature", typeof(Feature) },
-                { "distance", typeof(Distance) }, { "contact", typeof(Contact) }, { "event", typeof(Event) },
-                { "ray", typeof(Ray) }, { "cast_hit", typeof(CastHit) },
-                { "query_hit", typeof(Hit) }, { "part_options", typeof(Native.PartOptions) },
-                { "universe_options", typeof(Native.UniverseOptions) },
-                { "shape_desc", typeof(Native.ShapeDesc) },
-            })
-            {
-                Equal(sizes["abut_" + each.Key + "."], (ulong)Marshal.SizeOf(each.Value));
+                Equal(each.Value, Marshal.SizeOf(each.Key));
             }
             Equal(sizes["abut_contact.normal"], (ulong)Marshal.OffsetOf(typeof(Contact), "Normal"));
             Equal(sizes["abut_contact.tangent"], (ulong)Marshal.OffsetOf(typeof(Contact), "Tangent"));
             Equal(sizes["abut_query_hit.normal"], (ulong)Marshal.OffsetOf(typeof(Hit), "Normal"));
-            Equal(sizes["abut_universe_options.threads"], (ulong)Marshal.OffsetOf(typeof(Native.UniverseOptions), "Threads"));
+            Equal(sizes["abut_universe_options.threads"], (ulong)Marshal.OffsetOf(typeof(UniverseOptions), "Threads"));
         }
 
         private static void EveryKindCanBeMade()

@@ -6,7 +6,7 @@ The library is the first of these that there is:
  - the file that the environment variable ABUT_LIBRARY names;
  - the one in build/release of this checkout;
  - the one that CMake builds in build/python, which takes minutes. CMAKE_ARGS adds arguments to its configuration.
-The library for picking is carried, too, where it lies beside the other one.
+The libraries for picking and response are carried, too, where they lie beside the other one.
 """
 
 import base64
@@ -91,7 +91,7 @@ def _line_of_record(path, data):
 
 def _libraries(settings):
     """The files to carry, under the names by which the package looks for them."""
-    source = PACKAGE / "abut" / "c" / "library.py"
+    source = PACKAGE / "abut" / "c" / "constants.py"
     major, minor = (_number_in(source, rf"VERSION_{part} = (\d+)") for part in ("MAJOR", "MINOR"))
     abi = f"0.{minor}" if major == "0" else major
     named = settings.get("library") or os.environ.get("ABUT_LIBRARY")
@@ -106,8 +106,8 @@ def _libraries(settings):
         if not library.exists():
             library = _built() / f"libabut.so.{abi}"
     print(f"abut: the wheel carries {library}")
-    picking = library.with_name(f"libabut_picking.so.{abi}")
-    libraries = [library, picking] if picking.exists() else [library]
+    others = [library.with_name(f"libabut_{name}.so.{abi}") for name in ("picking", "response")]
+    libraries = [library, *(other for other in others if other.exists())]
     _expect_functions(libraries)
     return libraries
 
@@ -115,9 +115,11 @@ def _libraries(settings):
 def _expect_functions(libraries):
     """An older library would lack functions, which would show when the package is imported."""
     table = (PACKAGE / "abut" / "c" / "functions.py").read_text(encoding="utf-8")
-    for library, part in zip(libraries, table.split("PICKING_FUNCTIONS = {")):
+    parts = dict(re.findall(r"^(\w*)FUNCTIONS = \{(.*?)^\}", table, re.MULTILINE | re.DOTALL))
+    for library in libraries:
         data = library.read_bytes()
-        for name in re.findall(r'"(abut_\w+)": \(', part):
+        extension = library.name.partition(".")[0].removeprefix("libabut").removeprefix("_")
+        for name in re.findall(r'"(abut_\w+)": \(', parts[f"{extension.upper()}_" if extension else ""]):
             if name.encode() + b"\0" not in data:
                 raise RuntimeError(f"{library} is older than this package, for it has no function {name}; build it again")
 

@@ -35,7 +35,8 @@ class Layout(unittest.TestCase):
     def test_no_function_is_missing(self):
         if HEADERS is None:
             self.skipTest("the folder of the headers was not given")
-        for header, functions in (("abut.h", c.FUNCTIONS), ("picking.h", c.PICKING_FUNCTIONS)):
+        for header, functions in (("abut.h", c.FUNCTIONS), ("picking.h", c.PICKING_FUNCTIONS),
+                                  ("response.h", c.RESPONSE_FUNCTIONS)):
             text = (HEADERS / "abut" / header).read_text()
             declared = set(re.findall(r"^ABUT_API [^;(]*?(abut_\w+)\(", text, re.MULTILINE))
             self.assertGreater(len(declared), 8)
@@ -44,7 +45,7 @@ class Layout(unittest.TestCase):
     def test_constants_are_those_of_the_header(self):
         if HEADERS is None:
             self.skipTest("the folder of the headers was not given")
-        for header in ("abut.h", "picking.h"):
+        for header in ("abut.h", "picking.h", "response.h"):
             text = (HEADERS / "abut" / header).read_text()
             for name, value in re.findall(r"^  ABUT_(\w+) = (\d+)", text, re.MULTILINE):
                 self.assertEqual(getattr(c, name), int(value), name)

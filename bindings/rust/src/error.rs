@@ -49,7 +49,7 @@ pub enum Status {
 
 impl Status {
     fn from_raw(status: raw::abut_status) -> Status {
-        match status as raw::abut_status_value {
+        match status {
             raw::ABUT_INVALID_ARGUMENT => Status::InvalidArgument,
             raw::ABUT_NULL_ARGUMENT => Status::NullArgument,
             raw::ABUT_NOT_FINITE => Status::NotFinite,
@@ -108,7 +108,7 @@ impl std::error::Error for Error {}
 
 /// The failure that a status stands for. The message belongs to this thread and this moment, so it is copied.
 pub(crate) fn check(status: raw::abut_status) -> Result<()> {
-    if status as raw::abut_status_value == raw::ABUT_OK {
+    if status == raw::ABUT_OK {
         return Ok(());
     }
     // SAFETY: the message is never null, is terminated, and stays until the next call on this thread.

@@ -15,7 +15,7 @@ fn report() -> Report {
         .map(|index| {
             let mut entry = MaybeUninit::<raw::abut_layout_entry>::zeroed();
             let status = unsafe { raw::abut_layout_at(index, entry.as_mut_ptr()) };
-            assert_eq!(status as u32, raw::ABUT_OK);
+            assert_eq!(status, raw::ABUT_OK);
             let entry = unsafe { entry.assume_init() };
             (format!("{}.{}", text(entry.type_), text(entry.field)), (entry.offset, entry.size))
         })
@@ -91,6 +91,6 @@ fn options_are_those_of_the_library() {
 #[test]
 fn the_library_understands_the_header() {
     let status = unsafe { raw::abut_check_version(raw::ABUT_VERSION_MAJOR, raw::ABUT_VERSION_MINOR) };
-    assert_eq!(status as u32, raw::ABUT_OK);
+    assert_eq!(status, raw::ABUT_OK);
     assert_eq!(abut::version(), env!("CARGO_PKG_VERSION"));
 }

@@ -33,7 +33,8 @@ def main(compiler, root):
     failures = 0
     for standard in standards:
         for source in sources:
-            command = [path, f"-std={standard}", *COMMON, *options, "-I", str(root / "include"), str(source)]
+            command = [path, f"-std={standard}", *COMMON, *options, "-I", str(root / "include"),
+                       "-I", str(root / "capi"), str(source)]
             if subprocess.run(command, check=False).returncode != 0:
                 print("failed:", *command)
                 failures += 1

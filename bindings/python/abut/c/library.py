@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The loaded libraries: `library`, and `picking`, which is None where that library is not there.
+"""The loaded libraries: `library`, and `picking` and `response`, which are None where that library is not there.
 
 A function that answers a status other than ABUT_OK raises Error. Calls release the interpreter's lock while they run.
 
-ABUT_LIBRARY and ABUT_PICKING_LIBRARY may name their files. Else they are those that a wheel carries, in this package,
+ABUT_LIBRARY, ABUT_PICKING_LIBRARY and ABUT_RESPONSE_LIBRARY may name their files. Else they are those that a wheel carries, in this package,
 and else those that the loader finds.
 """
 
@@ -14,13 +14,11 @@ import operator
 import os
 import pathlib
 
-from .constants import OK
-from .functions import FUNCTIONS, PICKING_FUNCTIONS, Status
+from .constants import OK, VERSION_MAJOR, VERSION_MINOR
+from .functions import FUNCTIONS, PICKING_FUNCTIONS, RESPONSE_FUNCTIONS, Status
 
-__all__ = ["Error", "VERSION_MAJOR", "VERSION_MINOR", "library", "picking", "picking_failure"]
+__all__ = ["Error", "library", "picking", "picking_failure", "response", "response_failure"]
 
-VERSION_MAJOR = 0
-VERSION_MINOR = 2
 ABI = f"{VERSION_MAJOR}.{VERSION_MINOR}" if VERSION_MAJOR == 0 else f"{VERSION_MAJOR}"
 CARRIED = pathlib.Path(__file__).parent.parent / "lib"
 
@@ -97,8 +95,14 @@ def _load_library():
 library = _declare(_load_library(), FUNCTIONS)
 library.abut_check_version(VERSION_MAJOR, VERSION_MINOR)
 
-try:
-    picking = _declare(_load("libabut_picking", "ABUT_PICKING_LIBRARY"), PICKING_FUNCTIONS)
-    picking_failure = None
-except OSError as failure:
-    picking, picking_failure = None, str(failure)
+
+def _load_extension(name, variable, functions):
+    """The library, or None and why it is not there."""
+    try:
+        return _declare(_load(name, variable), functions), None
+    except OSError as failure:
+        return None, str(failure)
+
+
+picking, picking_failure = _load_extension("libabut_picking", "ABUT_PICKING_LIBRARY", PICKING_FUNCTIONS)
+response, response_failure = _load_extension("libabut_response", "ABUT_RESPONSE_LIBRARY", RESPONSE_FUNCTIONS)

@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 import re
-from ctypes import POINTER, Structure, c_char, c_char_p, c_double, c_uint32, c_uint64, c_void_p
+from ctypes import POINTER, Structure, c_char_p, c_double, c_uint32, c_uint64, c_void_p
 from typing import Annotated, Any, Iterator, TypeVar, get_type_hints
 
 T = TypeVar("T", bound=Structure)
@@ -16,10 +16,6 @@ Text = Annotated[bytes, c_char_p]
 Address = Annotated[Any, c_void_p]
 Doubles = Annotated[Any, POINTER(c_double)]
 UInt32s = Annotated[Any, POINTER(c_uint32)]
-Message = Annotated[bytes, c_char * 168]
-EightWords = Annotated[Any, c_uint64 * 8]
-FourDoubles = Annotated[Any, c_double * 4]
-FourUInt32s = Annotated[Any, c_uint32 * 4]
 
 
 def struct(cls: type[T]) -> type[T]:
