@@ -60,7 +60,7 @@ abut_status check_distance(const abut_contact& contact) {
 }
 
 abut_status check_toi(double toi) {
-  if (std::isnan(toi)) {
+  if (!std::isfinite(toi)) {
     return to_status(abut::check_finite("contact.toi", toi));
   }
   return toi >= 0 && toi <= 1 ? static_cast<abut_status>(ABUT_OK)

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <span>
 
 namespace abut::capi {
@@ -19,6 +20,16 @@ namespace abut::capi {
                                  const char* expectation) noexcept;
 [[nodiscard]] abut_status refuse(abut_status status, const char* message) noexcept;
 [[nodiscard]] abut_status refuse_null(const char* argument) noexcept;
+
+/// Refuses an id, such as that of a part: "<argument> is stale or of another universe (slot ..., generation ...)".
+[[nodiscard]] abut_status refuse_stale(const char* argument, std::uint32_t slot, std::uint32_t generation) noexcept;
+template <class Id>
+[[nodiscard]] abut_status refuse_stale(const char* argument, const Id& id) noexcept {
+  return refuse_stale(argument, id.slot, id.generation);
+}
+
+/// Refuses so many elements of `size` bytes when they cannot be in memory at all.
+[[nodiscard]] abut_status check_fits(const char* argument, std::size_t count, std::size_t size) noexcept;
 
 // A struct_size beyond this is garbage, not a later version.
 inline constexpr std::size_t largest_struct = 4096;
@@ -34,6 +45,10 @@ template <class Struct>
   ABUT_UNSAFE_END
   return std::ranges::all_of(bytes.subspan(sizeof(Struct)), [](unsigned char byte) { return byte == 0; });
 }
+
+/// The same of room for answers, which may be null for none.
+[[nodiscard]] abut_status check_room(const char* argument, const void* room, std::size_t capacity,
+                                     std::size_t size) noexcept;
 
 }  // namespace abut::capi
 

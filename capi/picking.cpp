@@ -31,8 +31,11 @@ namespace {
 
 using abut::capi::check_camera;
 using abut::capi::check_finite;
+using abut::capi::check_fits;
+using abut::capi::check_position;
 using abut::capi::check_ray;
 using abut::capi::check_rays;
+using abut::capi::check_room;
 using abut::capi::check_size;
 using abut::capi::read_filter;
 using abut::capi::refuse;
@@ -57,15 +60,6 @@ template <class Action>
   }
 }
 
-// Whether `count` elements of `size` bytes can be in memory at all.
-[[nodiscard]] bool fits(std::size_t count, std::size_t size) noexcept {
-  return count <= static_cast<std::size_t>(std::numeric_limits<std::ptrdiff_t>::max()) / size;
-}
-
-[[nodiscard]] abut_status refuse_count(std::size_t count) noexcept {
-  return refuse(ABUT_SIZE_OVERFLOW, "count", static_cast<double>(count), "that many elements do not fit into memory");
-}
-
 }  // namespace
 
 void abut_camera_init(abut_camera* camera, uint32_t struct_size) {
@@ -87,8 +81,8 @@ abut_status abut_camera_look_at(abut_camera* camera, const abut_vec3* eye, const
   if (target == nullptr) return refuse_null("target");
   if (up == nullptr) return refuse_null("up");
   if (const abut_status status = check_size(*camera); status != ABUT_OK) return status;
-  if (const abut_status status = check_finite(*eye, "eye"); status != ABUT_OK) return status;
-  if (const abut_status status = check_finite(*target, "target"); status != ABUT_OK) return status;
+  if (const abut_status status = check_position(*eye, "eye"); status != ABUT_OK) return status;
+  if (const abut_status status = check_position(*target, "target"); status != ABUT_OK) return status;
   if (const abut_status status = check_finite(*up, "up"); status != ABUT_OK) return status;
   // Halves: the difference of two finite numbers may not be finite.
   const abut_vec3 forward{0.5 * target->x - 0.5 * eye->x, 0.5 * target->y - 0.5 * eye->y,
@@ -160,7 +154,8 @@ abut_status abut_picker_cast_rays(abut_picker* picker, const abut_ray* rays, std
   if (count == 0) return answer(picker->picker.update());
   if (rays == nullptr) return refuse_null("rays");
   if (out == nullptr) return refuse_null("out");
-  if (!fits(count, std::max(sizeof(abut_ray), sizeof(abut_pick)))) return refuse_count(count);
+  constexpr std::size_t size = std::max(sizeof(abut_ray), sizeof(abut_pick));
+  if (const abut_status status = check_fits("count", count, size); status != ABUT_OK) return status;
   // SAFETY: the caller answers for `count` elements in both arrays.
   ABUT_UNSAFE_BEGIN
   const std::span<const abut_ray> all(rays, count);
@@ -177,11 +172,7 @@ abut_status abut_picker_cast_ray_all(abut_picker* picker, const abut_ray* ray, c
   if (picker == nullptr) return refuse_null("picker");
   if (ray == nullptr) return refuse_null("ray");
   if (count == nullptr) return refuse_null("count");
-  if (picks == nullptr && capacity != 0) return refuse_null("picks");
-  if (!fits(capacity, sizeof(abut_pick))) {
-    return refuse(ABUT_SIZE_OVERFLOW, "capacity", static_cast<double>(capacity),
-                  "that many elements do not fit into memory");
-  }
+  if (const abut_status status = check_room("picks", picks, capacity, sizeof *picks); status != ABUT_OK) return status;
   const abut_query_filter* wanted = nullptr;
   if (const abut_status status = check_ray(*ray); status != ABUT_OK) return status;
   if (const abut_status status = read_filter(picker->universe.get(), filter, wanted); status != ABUT_OK) return status;
@@ -220,10 +211,11 @@ abut_status abut_picker_render(abut_picker* picker, const abut_camera* camera, c
   if (out == nullptr) return refuse_null("out");
   if (const abut_status status = check_camera(*camera); status != ABUT_OK) return status;
   const std::uint64_t pixels = std::uint64_t{camera->width} * camera->height;
-  if (!fits(pixels, sizeof(abut_pick))) {
-    return refuse(ABUT_SIZE_OVERFLOW, "camera.width * camera.height", static_cast<double>(pixels),
-                  "the picture does not fit into memory");
+  if (const abut_status status = check_fits("camera.width * camera.height", pixels, sizeof(abut_pick));
+      status != ABUT_OK) {
+    return status;
   }
+  if (const abut_status status = check_room("out", out, capacity, sizeof *out); status != ABUT_OK) return status;
   if (capacity < pixels) {
     return refuse(ABUT_OUT_OF_RANGE, "capacity", static_cast<double>(capacity),
                   "it must be at least camera.width * camera.height");

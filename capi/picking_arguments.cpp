@@ -11,6 +11,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstdio>
+#include <limits>
 #include <numbers>
 #include <span>
 
@@ -18,25 +19,22 @@ namespace abut::capi {
 
 namespace {
 
-using Message = std::array<char, 200>;
+// Which ray a refusal is about: "ray", or one of "rays".
+constexpr std::size_t the_only_one = std::numeric_limits<std::size_t>::max();
 
-[[nodiscard]] abut_status refuse_at(abut_status status, std::size_t index, const char* what) noexcept {
-  Message message{};
-  std::snprintf(message.data(), message.size(), "rays[%zu]: %s", index, what);
-  return refuse(status, message.data());
+[[nodiscard]] abut_status refuse_ray(abut_status status, std::size_t index, const char* field, double value,
+                                     const char* expectation) noexcept {
+  std::array<char, 64> name{};
+  if (index == the_only_one) {
+    std::snprintf(name.data(), name.size(), "ray.%s", field);
+  } else {
+    std::snprintf(name.data(), name.size(), "rays[%zu].%s", index, field);
+  }
+  return refuse(status, name.data(), value, expectation);
 }
 
 // Coordinates beyond this are refused by all of abut: their squares and cubes would overflow.
 constexpr double largest_coordinate = 1e70;
-
-[[nodiscard]] bool is_finite(const abut_vec3& v) noexcept {
-  return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
-}
-
-[[nodiscard]] bool is_position(const abut_vec3& v) noexcept {
-  return std::fabs(v.x) <= largest_coordinate && std::fabs(v.y) <= largest_coordinate &&
-         std::fabs(v.z) <= largest_coordinate;
-}
 
 [[nodiscard]] bool is_zero(const abut_vec3& v) noexcept { return v.x == 0 && v.y == 0 && v.z == 0; }
 
@@ -55,15 +53,23 @@ constexpr double largest_coordinate = 1e70;
   return __builtin_reduce_and((sum <= largest_coordinate) & (square > 1e-200) & (square < 1e140) & (limit >= 0)) != 0;
 }
 
-// Calls `refusal` with what is wrong with a ray.
-template <class Refusal>
-[[nodiscard]] abut_status judge(const abut_ray& ray, const Refusal& refusal) noexcept {
-  if (!is_finite(ray.origin)) return refusal(ABUT_NOT_FINITE, "the origin has a coordinate that is not finite");
-  if (!is_position(ray.origin)) return refusal(ABUT_OUT_OF_RANGE, "the origin has a coordinate beyond 1e70");
-  if (!is_finite(ray.direction)) return refusal(ABUT_NOT_FINITE, "the direction has a coordinate that is not finite");
-  if (is_zero(ray.direction)) return refusal(ABUT_ZERO_VECTOR, "the direction is zero; it must have a length");
-  if (std::isnan(ray.max_distance)) return refusal(ABUT_NOT_FINITE, "max_distance is not a number");
-  if (ray.max_distance < 0) return refusal(ABUT_OUT_OF_RANGE, "max_distance is negative; it must be at least 0");
+[[nodiscard]] abut_status judge(const abut_ray& ray, std::size_t index) noexcept {
+  const auto refusal = [index](abut_status status, const char* field, double value, const char* expectation) {
+    return refuse_ray(status, index, field, value, expectation);
+  };
+  for (const double coordinate : {ray.origin.x, ray.origin.y, ray.origin.z}) {
+    if (!std::isfinite(coordinate)) return refusal(ABUT_NOT_FINITE, "origin", coordinate, "it must be finite");
+    if (std::fabs(coordinate) > largest_coordinate)
+      return refusal(ABUT_OUT_OF_RANGE, "origin", coordinate, "its coordinates must be within 1e70");
+  }
+  for (const double coordinate : {ray.direction.x, ray.direction.y, ray.direction.z}) {
+    if (!std::isfinite(coordinate)) return refusal(ABUT_NOT_FINITE, "direction", coordinate, "it must be finite");
+  }
+  if (is_zero(ray.direction)) return refusal(ABUT_ZERO_VECTOR, "direction", 0, "it must have a length");
+  if (std::isnan(ray.max_distance))
+    return refusal(ABUT_NOT_FINITE, "max_distance", ray.max_distance, "it must be a number");
+  if (ray.max_distance < 0)
+    return refusal(ABUT_OUT_OF_RANGE, "max_distance", ray.max_distance, "it must be at least 0");
   return ABUT_OK;
 }
 
@@ -161,13 +167,7 @@ abut_status read_filter(const abut_universe* universe, const abut_query_filter* 
   return ABUT_OK;
 }
 
-abut_status check_ray(const abut_ray& ray) noexcept {
-  return judge(ray, [](abut_status status, const char* what) {
-    Message message{};
-    std::snprintf(message.data(), message.size(), "ray: %s", what);
-    return refuse(status, message.data());
-  });
-}
+abut_status check_ray(const abut_ray& ray) noexcept { return judge(ray, the_only_one); }
 
 abut_status check_rays(std::span<const abut_ray> rays) noexcept {
   constexpr std::size_t step = 4;
@@ -176,8 +176,7 @@ abut_status check_rays(std::span<const abut_ray> rays) noexcept {
       i += step;
       continue;
     }
-    const auto refusal = [i](abut_status status, const char* what) { return refuse_at(status, i, what); };
-    if (const abut_status status = judge(rays[i], refusal); status != ABUT_OK) return status;
+    if (const abut_status status = judge(rays[i], i); status != ABUT_OK) return status;
     ++i;
   }
   return ABUT_OK;

@@ -175,10 +175,8 @@ abut_status abut_response_add_bodies(abut_response* response, const abut_part_id
     }
     if (count == 0) return ABUT_OK;
     if (parts == nullptr) return refuse_null("parts");
-    if (count > static_cast<std::size_t>(std::numeric_limits<std::ptrdiff_t>::max()) / sizeof(abut_part_id)) {
-      return refuse(ABUT_SIZE_OVERFLOW, "count", static_cast<double>(count),
-                    "that many elements do not fit into memory");
-    }
+    if (const abut_status status = abut::capi::check_fits("count", count, sizeof(abut_part_id)); status != ABUT_OK)
+      return status;
     // SAFETY: the caller answers for `count` parts.
     ABUT_UNSAFE_BEGIN
     const std::span<const abut_part_id> all(parts, count);
@@ -187,6 +185,10 @@ abut_status abut_response_add_bodies(abut_response* response, const abut_part_id
     for (std::size_t i = 0; i < count; ++i) {
       const abut_status status =
           mass_of(its.universe.get(), all[i], options == nullptr ? usual_body : *options, masses[i]);
+      if (status == ABUT_STALE_ID) {
+        const std::string name = "parts[" + std::to_string(i) + "]";
+        return abut::capi::refuse_stale(name.c_str(), all[i]);
+      }
       if (status != ABUT_OK) return status;
     }
     its.simulation.reserve(its.simulation.body_count() + count);

@@ -8,6 +8,7 @@
 #include "response_handle.hpp"
 
 #include <cstdint>
+#include <utility>
 
 #include "defaults.hpp"
 
@@ -50,6 +51,18 @@ constexpr abut_link_options usual_link{.struct_size = sizeof(abut_link_options),
   return status == ABUT_OK && motion == ABUT_MOTION_DYNAMIC ? abut_part_wake(universe, part) : status;
 }
 
+// At most one of them is null, for the world.
+[[nodiscard]] abut_status check_parts(const abut_universe* universe, abut_part_id a, abut_part_id b) {
+  const auto is_null = [](abut_part_id part) { return part.slot == 0 && part.generation == 0; };
+  const auto is_there = [&](abut_part_id part) {
+    abut_pose pose;
+    return abut_part_pose(universe, part, &pose) == ABUT_OK;
+  };
+  if (!is_null(a) && !is_there(a)) return abut::capi::refuse_stale("options.a", a);
+  if ((!is_null(b) || is_null(a)) && !is_there(b)) return abut::capi::refuse_stale("options.b", b);
+  return ABUT_OK;
+}
+
 }  // namespace
 
 void abut_link_options_init(abut_link_options* options, uint32_t struct_size) {
@@ -61,6 +74,8 @@ abut_status abut_response_add_link(abut_response* response, const abut_link_opti
     if (options == nullptr) return refuse_null("options");
     if (out == nullptr) return refuse_null("out");
     if (const abut_status status = abut::capi::check_options(*options); status != ABUT_OK) return status;
+    if (const abut_status status = check_parts(its.universe.get(), options->a, options->b); status != ABUT_OK)
+      return status;
     if (options->a.slot == options->b.slot) {
       return refuse(ABUT_INVALID_ARGUMENT, "options.b.slot", options->b.slot,
                     "a link joins two parts, or a part and the world");
@@ -118,6 +133,11 @@ abut_status abut_response_remove_link(abut_response* response, std::uint64_t lin
 abut_status abut_response_release(abut_response* response, abut_geometry_id a, abut_geometry_id b) {
   return guarded(response, [&](abut_response& its) -> abut_status {
     if (its.simulation.release(a, b)) return ABUT_OK;
+    for (const auto& [name, geometry] : {std::pair("a", a), std::pair("b", b)}) {
+      abut_pose pose;
+      if (abut_geometries_poses(its.universe.get(), &geometry, 1, &pose) == ABUT_STALE_ID)
+        return abut::capi::refuse_stale(name, geometry);
+    }
     return refuse(ABUT_STALE_ID, "b.slot", b.slot, "the two geometries have no bond");
   });
 }

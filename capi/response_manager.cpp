@@ -14,6 +14,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 
 import abut.response;
 
@@ -61,7 +62,8 @@ abut_status abut_response_kinds(const abut_response* response, const char** name
                                 std::size_t* count) {
   if (response == nullptr) return refuse_null("response");
   if (count == nullptr) return refuse_null("count");
-  if (names == nullptr && capacity != 0) return refuse_null("names");
+  if (const abut_status status = abut::capi::check_room("names", names, capacity, sizeof *names); status != ABUT_OK)
+    return status;
   const auto& kinds = response->simulation.rules().kinds();
   *count = kinds.size();
   // SAFETY: the caller answers for `capacity` pointers.
@@ -128,8 +130,13 @@ abut_status abut_response_rule_between(const abut_response* response, abut_geome
                                        char* text, std::size_t capacity, std::size_t* needed) {
   if (response == nullptr) return refuse_null("response");
   if (needed == nullptr) return refuse_null("needed");
-  if (text == nullptr && capacity != 0) return refuse_null("text");
+  if (const abut_status status = abut::capi::check_room("text", text, capacity, 1); status != ABUT_OK) return status;
   return guarded([&] {
+    for (const auto& [name, geometry] : {std::pair("a", a), std::pair("b", b)}) {
+      abut_pose pose;
+      if (abut_geometries_poses(response->universe.get(), &geometry, 1, &pose) == ABUT_STALE_ID)
+        return abut::capi::refuse_stale(name, geometry);
+    }
     std::string whole;
     const abut_status status = response->simulation.explain_pair(a, b, whole);
     if (status == ABUT_OK) *needed = abut::capi::fill_text(whole, text, capacity);

@@ -50,6 +50,8 @@ abut_status abut_response_add_particles(abut_response* response, abut_geometry_i
   return guarded(response, [&](abut_response& its) -> abut_status {
     if (masses == nullptr) return refuse_null("masses");
     if (xyz == nullptr) return refuse_null("xyz");
+    if (const abut_status status = abut::capi::check_fits("count", count, 3 * sizeof(double)); status != ABUT_OK)
+      return status;
     if (count == 0 || count > std::numeric_limits<std::uint32_t>::max()) {
       return refuse(ABUT_OUT_OF_RANGE, "count", static_cast<double>(count), "a geometry has 1 to 4294967295 particles");
     }

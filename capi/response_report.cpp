@@ -32,7 +32,7 @@ using Words = std::string (Simulation::*)() const;
                                std::size_t* needed) {
   if (response == nullptr) return refuse_null("response");
   if (needed == nullptr) return refuse_null("needed");
-  if (text == nullptr && capacity != 0) return refuse_null("text");
+  if (const abut_status status = abut::capi::check_room("text", text, capacity, 1); status != ABUT_OK) return status;
   return guarded([&]() -> abut_status {
     *needed = abut::capi::fill_text((response->simulation.*words)(), text, capacity);
     return ABUT_OK;
@@ -59,7 +59,9 @@ abut_status abut_response_validate(const abut_response* response, abut_response_
                                    std::size_t* count) {
   if (response == nullptr) return refuse_null("response");
   if (count == nullptr) return refuse_null("count");
-  if (findings == nullptr && capacity != 0) return refuse_null("findings");
+  if (const abut_status status = abut::capi::check_room("findings", findings, capacity, sizeof *findings);
+      status != ABUT_OK)
+    return status;
   return guarded([&] {
     std::vector<abut_response_finding> found;
     const abut_status status = response->simulation.validate(found);
@@ -87,7 +89,7 @@ abut_status abut_response_explain_json(const abut_response* response, char* text
 abut_status abut_response_save(const abut_response* response, void* bytes, std::size_t capacity, std::size_t* size) {
   if (response == nullptr) return refuse_null("response");
   if (size == nullptr) return refuse_null("size");
-  if (bytes == nullptr && capacity != 0) return refuse_null("bytes");
+  if (const abut_status status = abut::capi::check_room("bytes", bytes, capacity, 1); status != ABUT_OK) return status;
   return guarded([&]() -> abut_status {
     const std::vector<std::byte> saved = response->simulation.save();
     *size = saved.size();
@@ -104,6 +106,7 @@ abut_status abut_response_save(const abut_response* response, void* bytes, std::
 abut_status abut_response_load(abut_universe* universe, const void* bytes, std::size_t size, abut_response** out) {
   if (bytes == nullptr) return refuse_null("bytes");
   if (out == nullptr) return refuse_null("out");
+  if (const abut_status status = abut::capi::check_fits("size", size, 1); status != ABUT_OK) return status;
   abut_response* made = nullptr;
   if (const abut_status status = abut_response_create(universe, nullptr, &made); status != ABUT_OK) return status;
   std::unique_ptr<abut_response> response(made);

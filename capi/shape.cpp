@@ -23,6 +23,12 @@ constexpr abut_mesh_options mesh_defaults{sizeof(abut_mesh_options), ABUT_SIDES_
 constexpr abut_uv_grid_options uv_grid_defaults{
     sizeof(abut_uv_grid_options), ABUT_SIDES_BOTH, ABUT_AXIS_X, ABUT_AXIS_Y, 0, 0, 3, 0, 0};
 
+abut_status check_options(const abut_mesh_options& options) {
+  abut_status status = check_struct_size({"options"}, options);
+  status = status != ABUT_OK ? status : check_value({"options"}, ".tree", options.tree, ABUT_MESH_TREE_SPHERE);
+  return status != ABUT_OK ? status : check_reserved({"options"}, options.reserved);
+}
+
 // A struct of options that says how faces are read.
 template <class Options>
 abut_status read_options(const Options& options, FaceOptions& out) {
@@ -43,9 +49,7 @@ abut_status create_from_faces(const Faces& faces, const Options& options, std::s
 }
 
 abut_status create_mesh(const Faces& faces, const abut_mesh_options& options, abut_shape** out) {
-  abut_status status = check_struct_size({"options"}, options);
-  status = status != ABUT_OK ? status : check_value({"options"}, ".tree", options.tree, ABUT_MESH_TREE_SPHERE);
-  status = status != ABUT_OK ? status : check_reserved({"options"}, options.reserved);
+  const abut_status status = check_options(options);
   const std::array parameters{static_cast<double>(options.sides), static_cast<double>(options.tree)};
   return status != ABUT_OK ? status : create_from_faces(faces, options, "mesh", parameters, out);
 }
@@ -60,6 +64,7 @@ abut_status create_uv_grid(const Faces& faces, const abut_uv_grid_options& optio
 abut_status describe_mesh(const Faces& faces, const abut_mesh_options& options, abut_mesh_report* out) {
   FaceOptions read_as{};
   abut_status status = check_struct_size({"out"}, *out);
+  status = status != ABUT_OK ? status : check_options(options);
   status = status != ABUT_OK ? status : read_options(options, read_as);
   TriangleSource source;
   status = status != ABUT_OK ? status : TriangleSource::read(faces, read_as, source);

@@ -306,8 +306,8 @@ ABUT_API abut_status abut_triangle_create(const abut_vec3 *a, const abut_vec3 *b
                                           abut_shape **out);
 
 /**
- * Half-space of the points p with dot(normal, p) <= offset. The normal points out of the solid, has
- * any length but zero, and is normalised; the offset is measured along the unit normal. [any]
+ * Half-space of the points p with dot(normal, p) <= offset. `normal` points out of the solid, is of any length but
+ * zero, and is normalised; the offset is measured along the unit normal. [any]
  */
 ABUT_API abut_status abut_plane_create(const abut_vec3 *normal, double offset, abut_shape **out);
 
@@ -702,10 +702,10 @@ ABUT_API abut_status abut_shape_triangles(const abut_shape *shape, double *xyz, 
  */
 ABUT_API abut_status abut_shape_prepare(const abut_shape *shape, uint32_t threads);
 
-/** A ray. The direction has any length but zero; distances are measured in world units. */
+/** A ray. Distances are measured in world units. */
 typedef struct abut_ray {
   abut_vec3 origin;
-  abut_vec3 direction;
+  abut_vec3 direction; /**< of any length but zero */
   double max_distance; /**< not negative; may be infinite */
 } abut_ray;
 
@@ -2582,7 +2582,10 @@ ABUT_API abut_status abut_universe_cast_movement(const abut_universe *universe, 
                                                  const abut_query_filter *filter, abut_hit_mode mode,
                                                  abut_impact_hit *hits, size_t capacity, size_t *count);
 
-/** The first hit of each of `count` shapes, each with a pose and a movement of its own. [const] */
+/**
+ * The first hit of each of `count` shapes, each with a pose and a movement of its own. Parameters as those of
+ * abut_universe_cast_movement. [const]
+ */
 ABUT_API abut_status abut_universe_cast_movements(const abut_universe *universe, const abut_shape *const *shapes,
                                                   const abut_pose *poses, const abut_movement *movements,
                                                   size_t count, double duration, const abut_impact_options *options,

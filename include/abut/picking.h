@@ -59,7 +59,7 @@ typedef struct abut_camera {
 ABUT_API void abut_camera_init(abut_camera *camera, uint32_t struct_size);
 
 /**
- * Turns a camera so that it looks from `eye` to `target` with `up` upwards in the picture.
+ * Turns a camera so that it looks from `eye` to `target` with `up` upwards in the picture; `up` is of any length.
  * ABUT_ZERO_VECTOR when eye and target coincide or `up` is parallel to the line of sight. [any]
  */
 ABUT_API abut_status abut_camera_look_at(abut_camera *camera, const abut_vec3 *eye, const abut_vec3 *target,

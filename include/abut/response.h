@@ -159,7 +159,7 @@ ABUT_API void abut_response_options_init(abut_response_options *options, uint32_
  * Creates a response without bodies. It keeps the universe, as a picker does. Calls on a response count as calls on its
  * universe: [exclusive] ones as exclusive, [const] ones as const.
  * @param options  may be null for the defaults
- * [exclusive]
+ * [const] on the universe.
  */
 ABUT_API abut_status abut_response_create(abut_universe *universe, const abut_response_options *options,
                                           abut_response **out);
@@ -608,7 +608,7 @@ ABUT_API abut_status abut_response_save(const abut_response *response, void *byt
 /**
  * Makes a response of bytes on a universe with the same ids, such as one of abut_universe_load. Steps then give the
  * same bits. Kinds of the caller get their functions by abut_response_add_kind, under their names; until then steps are
- * refused. ABUT_INVALID_ARGUMENT for bytes that are no response, or damaged. [exclusive]
+ * refused. ABUT_INVALID_ARGUMENT for bytes that are no response, or damaged. [const] on the universe.
  */
 ABUT_API abut_status abut_response_load(abut_universe *universe, const void *bytes, size_t size, abut_response **out);
 

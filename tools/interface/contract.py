@@ -6,7 +6,8 @@ The comments of the headers say these in words that people read as well:
  - @param name  count * 3 numbers. The length of an array comes first.
  - positive, above 0, not negative, at least 1, below 64, from 2 to 64, name > 0, name >= 0. The range of a number.
  - may be infinite; or NaN. Other numbers are finite.
- - zero. A reserved field.
+ - of any length. Other vectors have coordinates of at most 1e70.
+ - zero. A reserved field. Not read where ...: one that the good arguments leave out.
  - The same for ..., abut_f with ..., parameters as those of abut_f. What is not said is as there.
 """
 
@@ -24,7 +25,9 @@ class Range:
     is_open: bool = False  # without `least`
     may_be_infinite: bool = False
     may_be_nan: bool = False
+    may_be_far: bool = False
     is_reserved: bool = False
+    is_unread: bool = False
 
 
 @dataclass
@@ -86,9 +89,11 @@ def said_of(interface, function, name):
 
 
 def range_of(text):
-    range_ = Range(may_be_infinite="infinite" in text, may_be_nan="or NaN" in text, is_reserved=text == "zero")
-    if match := re.search(rf"(?:from )?{NUMBER} to {NUMBER}", text):
-        range_.least, range_.most = float(match[1]), float(match[2])
+    range_ = Range(may_be_infinite="infinite" in text, may_be_nan="or NaN" in text,
+                   may_be_far="of any length" in text or "infinite" in text, is_reserved=text == "zero",
+                   is_unread="Not read where" in text)
+    if match := re.search(rf"in \[{NUMBER}, {NUMBER}\]|(?:from )?{NUMBER} to {NUMBER}", text):
+        range_.least, range_.most = (float(match[side] or match[side + 2]) for side in (1, 2))
     elif re.search(r"\bpositive\b|above 0|\w > 0", text):
         range_.least, range_.is_open = 0, True
     elif re.search(r"not negative|at least 0|>= 0", text):
@@ -123,8 +128,10 @@ def _counts(function):
     return [each.name for each in function.parameters if str(each.type) == "size_t" and re.search(r"count$|^size$", each.name)]
 
 
-def _is_plural(name):
-    return re.sub(r"_[ab]$", "", name).endswith("s")
+def _is_plural(parameter, type_):
+    """Whether a name is that of several. Options and a focus are one thing."""
+    name = re.sub(r"_[ab]$", "", parameter)
+    return name.endswith("s") and not type_.name.endswith(f"_{name}")
 
 
 def _length(function, fact, index, text):
@@ -143,8 +150,8 @@ def _length(function, fact, index, text):
     if fact.role in ("lent", "made", "handle", "callback") or len(counts) != 1:
         return None
     if fact.is_output:
-        return counts[0] if counts[0] == "count" or _is_plural(fact.name) else None
-    is_list = fact.role in ("handles", "id", "number", "choice", "bits") or (_is_plural(fact.name) and fact.name != "options")
+        return counts[0] if counts[0] == "count" or _is_plural(fact.name, fact.type) else None
+    is_list = fact.role in ("handles", "id", "number", "choice", "bits") or _is_plural(fact.name, fact.type)
     return counts[0] if is_list or fact.role == "bytes" else None
 
 

@@ -9,6 +9,7 @@ import shutil
 import sys
 from pathlib import Path
 
+import bad_input
 import csharp
 import header
 import layout
@@ -19,11 +20,13 @@ import rust
 import symbols
 
 NOTICE = "Made by scripts/interface from the headers in include/abut, where each name is described. Do not edit."
-WRITERS = (layout, symbols, csharp, lua, node, python, rust)
+WRITERS = (layout, symbols, bad_input, csharp, lua, node, python, rust)
+
 
 def made(root):
     interface = header.read(root)
     return {path: text for writer in WRITERS for path, text in writer.files(interface, NOTICE).items()}
+
 
 def main(root, *options):
     if not shutil.which(header.COMPILER):
@@ -41,6 +44,7 @@ def main(root, *options):
             place.write_text(text, encoding="utf-8")
             print(path)
     return 1 if is_old else 0
+
 
 if __name__ == "__main__":
     sys.exit(main(*sys.argv[1:]))
