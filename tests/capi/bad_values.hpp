@@ -124,19 +124,6 @@ void expect_struct_size_checked(const Struct& good, Call call) {
   }
 }
 
-// The same for a struct that `call`, a callable from Struct* to abut_status, fills in: it leaves one of a wrong size
-// alone.
-template <class Struct, class Call>
-void expect_size_of_out_struct_checked(const Struct& good, Call call) {
-  for (const std::size_t size : {std::size_t{0}, std::size_t{3}, sizeof(Struct) - 1}) {
-    Struct wrong = good;
-    wrong.struct_size = static_cast<std::uint32_t>(size);
-    Out<Struct> out(wrong);
-    EXPECT_TRUE(refused(call(out.address()), ABUT_WRONG_STRUCT_SIZE, {"struct_size", std::to_string(size)}));
-    EXPECT_TRUE(out.is_untouched());
-  }
-}
-
 // A caller with a later header is welcome as long as it uses nothing that is unknown here.
 template <class Struct, class Call>
 void expect_zero_tail_accepted(const Struct& good, Call call) {

@@ -48,16 +48,6 @@ std::vector<BadRay> bad_rays() {
           {{{0, 0, 0}, {1, 0, 0}, not_a_number}, ABUT_NOT_FINITE, "max_distance"}};
 }
 
-TEST(BadInput, OfCreateIsRefused) {
-  World world;
-  abut_picker* picker = nullptr;
-  EXPECT_TRUE(refuses(abut_picker_create(nullptr, &picker), ABUT_NULL_ARGUMENT, "universe"));
-  EXPECT_TRUE(refuses(abut_picker_create(world.universe(), nullptr), ABUT_NULL_ARGUMENT, "out"));
-  EXPECT_TRUE(refuses(abut_picker_update(nullptr), ABUT_NULL_ARGUMENT, "picker"));
-  abut_picker_destroy(nullptr);
-  abut_camera_init(nullptr, 0);
-}
-
 TEST(BadInput, OfCastRayIsRefused) {
   World world;
   abut_pick pick{};
@@ -219,29 +209,6 @@ TEST(BadInput, OfCamerasIsRefused) {
   EXPECT_DOUBLE_EQ(picture[0].distance, -7);
 }
 
-TEST(Camera, OfALaterVersionIsAcceptedWhenItsTailIsZero) {
-  struct {
-    abut_camera camera;
-    std::uint64_t added;
-  } later{};
-  abut_camera_init(&later.camera, sizeof later.camera);
-  later.camera.struct_size = sizeof later;
-  abut_ray ray;
-  EXPECT_EQ(abut_camera_ray(&later.camera, 1, 1, &ray), ABUT_OK);
-  later.added = 1;
-  EXPECT_TRUE(refuses(abut_camera_ray(&later.camera, 1, 1, &ray), ABUT_WRONG_STRUCT_SIZE, "struct_size"));
-}
-
-TEST(BadInput, OfCameraRayIsRefused) {
-  abut_camera camera;
-  abut_camera_init(&camera, sizeof camera);
-  abut_ray ray;
-  EXPECT_TRUE(refuses(abut_camera_ray(nullptr, 1, 1, &ray), ABUT_NULL_ARGUMENT, "camera"));
-  EXPECT_TRUE(refuses(abut_camera_ray(&camera, 1, 1, nullptr), ABUT_NULL_ARGUMENT, "out"));
-  EXPECT_TRUE(refuses(abut_camera_ray(&camera, not_a_number, 1, &ray), ABUT_NOT_FINITE, "x"));
-  EXPECT_TRUE(refuses(abut_camera_ray(&camera, 1, infinity, &ray), ABUT_NOT_FINITE, "y"));
-}
-
 TEST(BadInput, OfLookAtIsRefused) {
   abut_camera camera;
   abut_camera_init(&camera, sizeof camera);
@@ -264,26 +231,6 @@ TEST(BadInput, OfLookAtIsRefused) {
   EXPECT_DOUBLE_EQ(camera.pose.orientation.w, 1);
   camera.struct_size = 3;
   EXPECT_TRUE(refuses(abut_camera_look_at(&camera, &here, &there, &up), ABUT_WRONG_STRUCT_SIZE, "struct_size"));
-}
-
-TEST(BadInput, OfPickPixelIsRefused) {
-  World world;
-  abut_camera camera;
-  abut_camera_init(&camera, sizeof camera);
-  abut_pick pick{};
-  const auto pick_at = [&](double x, double y, double radius) {
-    return abut_picker_pick_pixel(world.picker(), &camera, x, y, radius, nullptr, &pick);
-  };
-  EXPECT_TRUE(refuses(abut_picker_pick_pixel(nullptr, &camera, 1, 1, 1, nullptr, &pick), ABUT_NULL_ARGUMENT, "picker"));
-  EXPECT_TRUE(
-      refuses(abut_picker_pick_pixel(world.picker(), nullptr, 1, 1, 1, nullptr, &pick), ABUT_NULL_ARGUMENT, "camera"));
-  EXPECT_TRUE(
-      refuses(abut_picker_pick_pixel(world.picker(), &camera, 1, 1, 1, nullptr, nullptr), ABUT_NULL_ARGUMENT, "out"));
-  EXPECT_TRUE(refuses(pick_at(not_a_number, 1, 1), ABUT_NOT_FINITE, "x"));
-  EXPECT_TRUE(refuses(pick_at(1, not_a_number, 1), ABUT_NOT_FINITE, "y"));
-  EXPECT_TRUE(refuses(pick_at(1, 1, not_a_number), ABUT_NOT_FINITE, "radius"));
-  EXPECT_TRUE(refuses(pick_at(1, 1, infinity), ABUT_NOT_FINITE, "radius"));
-  EXPECT_TRUE(refuses(pick_at(1, 1, -1), ABUT_OUT_OF_RANGE, "radius"));
 }
 
 TEST(BadInput, OfRenderIsRefused) {

@@ -114,20 +114,6 @@ inline void refuse_bad_filters(Ask ask) {
   expect_zero_tail_accepted(default_filter(), [&](const abut_query_filter* later) { return (call.*ask)(later); });
 }
 
-inline void refuse_null_universe(Ask ask) {
-  QueryCall call;
-  call.universe = nullptr;
-  EXPECT_TRUE(refused((call.*ask)(nullptr), ABUT_NULL_ARGUMENT, {"universe", "null"}));
-  EXPECT_TRUE(call.is_untouched());
-}
-
-inline void refuse_null_shape(Ask ask) {
-  QueryCall call;
-  call.shape = nullptr;
-  EXPECT_TRUE(refused((call.*ask)(nullptr), ABUT_NULL_ARGUMENT, {"shape", "null"}));
-  EXPECT_TRUE(call.is_untouched());
-}
-
 inline void refuse_bad_rays(Ask ask) {
   QueryCall call;
   const abut_ray good = call.ray;
@@ -154,24 +140,6 @@ inline void refuse_bad_poses(Ask ask) {
   QueryCall call;
   expect_pose_field_checked([&](const abut_pose& bad) {
     call.pose = bad;
-    return (call.*ask)(nullptr);
-  });
-  EXPECT_TRUE(call.is_untouched());
-}
-
-inline void refuse_bad_vectors(Ask ask, std::string_view name) {
-  QueryCall call;
-  for (const BadVector& bad : non_finite_vectors()) {
-    call.vector = bad.vector;
-    EXPECT_TRUE(refused((call.*ask)(nullptr), ABUT_NOT_FINITE, {name, bad.word}));
-  }
-  EXPECT_TRUE(call.is_untouched());
-}
-
-inline void refuse_bad_margins(Ask ask) {
-  QueryCall call;
-  expect_non_finite_refused("margin", [&](double bad) {
-    call.number = bad;
     return (call.*ask)(nullptr);
   });
   EXPECT_TRUE(call.is_untouched());

@@ -10,21 +10,6 @@ namespace {
 
 using namespace abut_test;
 
-TEST(UniverseSave, RefusesNullPointersAndOverflowingCapacities) {
-  const Scene scene;
-  Out<std::size_t> size;
-  std::array<std::uint8_t, 8> bytes{};
-  EXPECT_TRUE(
-      refused(abut_universe_save(nullptr, bytes.data(), 8, size.address()), ABUT_NULL_ARGUMENT, {"universe", "null"}));
-  EXPECT_TRUE(
-      refused(abut_universe_save(scene.universe, nullptr, 8, size.address()), ABUT_NULL_ARGUMENT, {"bytes", "null"}));
-  EXPECT_TRUE(
-      refused(abut_universe_save(scene.universe, bytes.data(), 8, nullptr), ABUT_NULL_ARGUMENT, {"size", "null"}));
-  EXPECT_TRUE(refused(abut_universe_save(scene.universe, bytes.data(), size_max, size.address()), ABUT_SIZE_OVERFLOW,
-                      {"capacity"}));
-  EXPECT_TRUE(size.is_untouched());
-}
-
 TEST(UniverseSave, WritesNothingThatDoesNotFit) {
   const Scene scene;
   const std::vector<std::uint8_t> all = saved(scene.universe);
@@ -46,15 +31,6 @@ TEST(UniverseSave, IsBusyInACallback) {
   Scene scene;
   ASSERT_TRUE(succeeded(abut_universe_set_filter(scene.universe, save_in_callback, nullptr)));
   EXPECT_FALSE(scene.universe.step().empty());
-}
-
-TEST(UniverseLoad, RefusesNullPointersAndOverflowingSizes) {
-  const std::vector<std::uint8_t> bytes = saved(Universe());
-  Out<abut_universe*> out;
-  EXPECT_TRUE(refused(abut_universe_load(nullptr, 8, out.address()), ABUT_NULL_ARGUMENT, {"bytes", "null"}));
-  EXPECT_TRUE(refused(abut_universe_load(bytes.data(), bytes.size(), nullptr), ABUT_NULL_ARGUMENT, {"out", "null"}));
-  EXPECT_TRUE(refused(abut_universe_load(bytes.data(), size_max, out.address()), ABUT_SIZE_OVERFLOW, {"size"}));
-  EXPECT_TRUE(out.is_untouched());
 }
 
 abut_status load(const std::vector<std::uint8_t>& bytes, Out<abut_universe*>& out) {

@@ -32,10 +32,6 @@ TEST(ContactValidate, AcceptsAContactOfAPair) {
   EXPECT_TRUE(succeeded(abut_contact_validate(&contact)));
 }
 
-TEST(ContactValidate, RefusesNull) {
-  EXPECT_TRUE(refused(abut_contact_validate(nullptr), ABUT_NULL_ARGUMENT, {"contact", "null"}));
-}
-
 TEST(ContactValidate, RefusesNonFiniteNumbers) {
   EXPECT_TRUE(refuses([](abut_contact& c) { c.point_a.y = nan; }, ABUT_NOT_FINITE, {"contact.point_a.y", "nan"}));
   EXPECT_TRUE(refuses([](abut_contact& c) { c.point_b.x = infinity; }, ABUT_NOT_FINITE, {"contact.point_b.x", "inf"}));
@@ -77,15 +73,6 @@ TEST(ContactValidate, RefusesUnknownWords) {
       refuses([](abut_contact& c) { c.feature_b.kind = 77; }, ABUT_UNKNOWN_VALUE, {"contact.feature_b.kind", "77"}));
   EXPECT_TRUE(refuses([](abut_contact& c) { c.flags = 8; }, ABUT_UNKNOWN_VALUE, {"contact.flags", "8"}));
   EXPECT_TRUE(refuses([](abut_contact& c) { c.reserved = 1; }, ABUT_INVALID_ARGUMENT, {"contact.reserved", "1"}));
-}
-
-TEST(UniverseLocalPoints, RefusesNull) {
-  Universe universe;
-  const abut_local_points* points = nullptr;
-  std::size_t count = 0;
-  EXPECT_TRUE(refused(abut_universe_local_points(nullptr, &points, &count), ABUT_NULL_ARGUMENT, {"universe", "null"}));
-  EXPECT_TRUE(refused(abut_universe_local_points(universe, nullptr, &count), ABUT_NULL_ARGUMENT, {"points", "null"}));
-  EXPECT_TRUE(refused(abut_universe_local_points(universe, &points, nullptr), ABUT_NULL_ARGUMENT, {"count", "null"}));
 }
 
 TEST(UniverseLocalPoints, RefusesAUniverseThatKeepsNone) {

@@ -46,20 +46,6 @@ TEST(FocusInit, FillsInTheDefaults) {
   EXPECT_EQ(focus.value().far_distance, 0.0);
 }
 
-TEST(UniverseSetFocus, RefusesNullPointers) {
-  const abut_focus focus = default_focus();
-  const abut_vec3 centre{0, 0, 0};
-  FocusedScene scene;
-  EXPECT_TRUE(refused(abut_universe_set_focus(nullptr, &focus, &centre, 1), ABUT_NULL_ARGUMENT, {"universe", "null"}));
-  EXPECT_TRUE(
-      refused(abut_universe_set_focus(scene.universe, &focus, nullptr, 1), ABUT_NULL_ARGUMENT, {"centres", "null"}));
-  EXPECT_TRUE(
-      refused(abut_universe_set_focus(scene.universe, nullptr, nullptr, 1), ABUT_NULL_ARGUMENT, {"centres", "null"}));
-  EXPECT_TRUE(scene.keeps_its_focus());
-  EXPECT_TRUE(succeeded(abut_universe_set_focus(scene.universe, &focus, nullptr, 0))) << "no centres";
-  EXPECT_TRUE(succeeded(abut_universe_set_focus(scene.universe, nullptr, nullptr, 0))) << "no focus";
-}
-
 TEST(UniverseSetFocus, RefusesTagsThatAreNoneOrTheSame) {
   FocusedScene scene;
   for (const std::uint32_t tag : {64U, 77U, 0xFFFFFFFFU}) {
@@ -110,26 +96,6 @@ TEST(UniverseSetFocus, RefusesNonFiniteAndOtherBadNumbers) {
   focus.reserved = 7;
   EXPECT_TRUE(
       refused(abut_universe_set_focus(scene.universe, &focus, nullptr, 0), ABUT_INVALID_ARGUMENT, {"reserved", "7"}));
-  EXPECT_TRUE(scene.keeps_its_focus());
-}
-
-TEST(UniverseSetFocus, RefusesWrongStructSize) {
-  FocusedScene scene;
-  expect_struct_size_checked(default_focus(), [&](const abut_focus* wrong) {
-    return abut_universe_set_focus(scene.universe, wrong, &scene.centre, 1);
-  });
-  EXPECT_TRUE(scene.keeps_its_focus());
-  expect_zero_tail_accepted(default_focus(), [&](const abut_focus* later) {
-    return abut_universe_set_focus(scene.universe, later, &scene.centre, 1);
-  });
-}
-
-TEST(UniverseSetFocus, RefusesOverflowingCounts) {
-  FocusedScene scene;
-  const abut_focus focus = default_focus();
-  expect_overflow_refused(sizeof(abut_vec3), "count", [&](std::size_t count) {
-    return abut_universe_set_focus(scene.universe, &focus, &scene.centre, count);
-  });
   EXPECT_TRUE(scene.keeps_its_focus());
 }
 

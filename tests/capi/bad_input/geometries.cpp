@@ -26,42 +26,6 @@ TEST(GeometryOptionsInit, FillsInTheDefaults) {
   EXPECT_EQ(options.value().parking, abut_parking{ABUT_PARKING_NONE});
 }
 
-TEST(GeometryCreate, RefusesNullPointers) {
-  const Scene scene;
-  Out<abut_geometry_id> out;
-  EXPECT_TRUE(refused(abut_geometry_create(nullptr, scene.part, scene.ball, nullptr, out.address()), ABUT_NULL_ARGUMENT,
-                      {"universe", "null"}));
-  EXPECT_TRUE(refused(abut_geometry_create(scene.universe, scene.part, nullptr, nullptr, out.address()),
-                      ABUT_NULL_ARGUMENT, {"shape", "null"}));
-  EXPECT_TRUE(refused(abut_geometry_create(scene.universe, scene.part, scene.ball, nullptr, nullptr),
-                      ABUT_NULL_ARGUMENT, {"out", "null"}));
-  EXPECT_TRUE(out.is_untouched());
-  EXPECT_TRUE(scene.is_unchanged());
-}
-
-TEST(GeometryCreate, RefusesStaleIds) {
-  const Scene scene;
-  Out<abut_geometry_id> out;
-  for (const abut_part_id stale : scene.stale_parts) {
-    EXPECT_TRUE(refused(abut_geometry_create(scene.universe, stale, scene.ball, nullptr, out.address()), ABUT_STALE_ID,
-                        {"part", std::to_string(stale.slot)}));
-  }
-  EXPECT_TRUE(out.is_untouched());
-  EXPECT_TRUE(scene.is_unchanged());
-}
-
-TEST(GeometryCreate, RefusesNonFiniteAndOtherBadPoses) {
-  const Scene scene;
-  Out<abut_geometry_id> out;
-  expect_pose_field_checked([&](const abut_pose& pose) {
-    abut_geometry_options options = default_geometry_options();
-    options.pose = pose;
-    return abut_geometry_create(scene.universe, scene.part, scene.ball, &options, out.address());
-  });
-  EXPECT_TRUE(out.is_untouched());
-  EXPECT_TRUE(scene.is_unchanged());
-}
-
 TEST(GeometryCreate, RefusesBadTolerance) {
   const Scene scene;
   Out<abut_geometry_id> out;
@@ -87,16 +51,6 @@ TEST(GeometryCreate, RefusesUnknownValues) {
   EXPECT_TRUE(scene.is_unchanged());
 }
 
-TEST(GeometryCreate, RefusesWrongStructSize) {
-  const Scene scene;
-  Out<abut_geometry_id> out;
-  expect_struct_size_checked(default_geometry_options(), [&](const abut_geometry_options* wrong) {
-    return abut_geometry_create(scene.universe, scene.part, scene.ball, wrong, out.address());
-  });
-  EXPECT_TRUE(out.is_untouched());
-  EXPECT_TRUE(scene.is_unchanged());
-}
-
 TEST(GeometryCreate, AcceptsLaterOptionsWithZeroTail) {
   const Scene scene;
   abut_geometry_id geometry{};
@@ -104,20 +58,6 @@ TEST(GeometryCreate, AcceptsLaterOptionsWithZeroTail) {
     return abut_geometry_create(scene.universe, scene.part, scene.ball, later, &geometry);
   });
   EXPECT_NE(geometry.slot, 0U);
-}
-
-TEST(GeometryDestroy, RefusesNullUniverse) {
-  const Scene scene;
-  EXPECT_TRUE(refused(abut_geometry_destroy(nullptr, scene.geometry), ABUT_NULL_ARGUMENT, {"universe", "null"}));
-}
-
-TEST(GeometryDestroy, RefusesStaleIds) {
-  const Scene scene;
-  for (const abut_geometry_id stale : scene.stale_geometries) {
-    EXPECT_TRUE(
-        refused(abut_geometry_destroy(scene.universe, stale), ABUT_STALE_ID, {"geometry", std::to_string(stale.slot)}));
-  }
-  EXPECT_TRUE(scene.is_unchanged());
 }
 
 TEST(GeometryInfoInit, IgnoresNull) { abut_geometry_info_init(nullptr, 0); }
@@ -129,38 +69,6 @@ TEST(GeometryInfoInit, FillsInSize) {
   EXPECT_EQ(info.value().kind, 0U);
   EXPECT_EQ(info.value().part.slot, 0U);
   EXPECT_EQ(info.value().shape, nullptr);
-}
-
-TEST(GeometryDescribe, RefusesNullPointers) {
-  const Scene scene;
-  abut_geometry_info good;
-  abut_geometry_info_init(&good, sizeof good);
-  Out<abut_geometry_info> out(good);
-  EXPECT_TRUE(refused(abut_geometry_describe(nullptr, scene.geometry, out.address()), ABUT_NULL_ARGUMENT,
-                      {"universe", "null"}));
-  EXPECT_TRUE(
-      refused(abut_geometry_describe(scene.universe, scene.geometry, nullptr), ABUT_NULL_ARGUMENT, {"out", "null"}));
-  EXPECT_TRUE(out.is_untouched());
-}
-
-TEST(GeometryDescribe, RefusesStaleIds) {
-  const Scene scene;
-  abut_geometry_info good;
-  abut_geometry_info_init(&good, sizeof good);
-  Out<abut_geometry_info> out(good);
-  for (const abut_geometry_id stale : scene.stale_geometries) {
-    EXPECT_TRUE(refused(abut_geometry_describe(scene.universe, stale, out.address()), ABUT_STALE_ID,
-                        {"geometry", std::to_string(stale.slot)}));
-  }
-  EXPECT_TRUE(out.is_untouched());
-}
-
-TEST(GeometryDescribe, RefusesWrongStructSize) {
-  const Scene scene;
-  abut_geometry_info good;
-  abut_geometry_info_init(&good, sizeof good);
-  expect_size_of_out_struct_checked(
-      good, [&](abut_geometry_info* out) { return abut_geometry_describe(scene.universe, scene.geometry, out); });
 }
 
 TEST(GeometryDescribe, AcceptsLaterStructWithZeroTail) {

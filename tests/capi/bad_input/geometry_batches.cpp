@@ -53,21 +53,6 @@ TEST(GeometriesCreate, RefusesNullPointers) {
   EXPECT_TRUE(scene.is_unchanged());
 }
 
-TEST(GeometriesCreate, RefusesOverflowingCounts) {
-  const Scene scene;
-  Batch batch(scene);
-  expect_overflow_refused(sizeof(abut_geometry_options), "count", [&](std::size_t count) {
-    return abut_geometries_create(scene.universe, batch.parts.data(), batch.shapes.data(), batch.options.data(), count,
-                                  batch.out.data());
-  });
-  expect_overflow_refused(sizeof(abut_part_id), "count", [&](std::size_t count) {
-    return abut_geometries_create(scene.universe, batch.parts.data(), batch.shapes.data(), nullptr, count,
-                                  batch.out.data());
-  });
-  EXPECT_TRUE(batch.out.is_untouched());
-  EXPECT_TRUE(scene.is_unchanged());
-}
-
 TEST(GeometriesCreate, RefusesStaleIdsAndCreatesNone) {
   const Scene scene;
   Batch batch(scene);
@@ -144,65 +129,6 @@ TEST(GeometriesCreate, StepsByTheStructSizeOfTheCaller) {
     ASSERT_TRUE(succeeded(abut_geometry_describe(scene.universe, batch.out[i], &info)));
     EXPECT_EQ(info.user_data, 100 + i);
   }
-}
-
-TEST(GeometriesDestroy, RefusesNullPointers) {
-  const Scene scene;
-  EXPECT_TRUE(refused(abut_geometries_destroy(nullptr, &scene.geometry, 1), ABUT_NULL_ARGUMENT, {"universe", "null"}));
-  EXPECT_TRUE(refused(abut_geometries_destroy(scene.universe, nullptr, 1), ABUT_NULL_ARGUMENT, {"geometries", "null"}));
-  EXPECT_TRUE(scene.is_unchanged());
-}
-
-TEST(GeometriesDestroy, RefusesOverflowingCounts) {
-  const Scene scene;
-  expect_overflow_refused(sizeof(abut_geometry_id), "count", [&](std::size_t count) {
-    return abut_geometries_destroy(scene.universe, &scene.geometry, count);
-  });
-  EXPECT_TRUE(scene.is_unchanged());
-}
-
-TEST(GeometriesDestroy, RefusesStaleIdsAndDestroysNone) {
-  const Scene scene;
-  for (const abut_geometry_id stale : scene.stale_geometries) {
-    const std::array<abut_geometry_id, 3> geometries{scene.geometry, scene.second_geometry, stale};
-    EXPECT_TRUE(refused(abut_geometries_destroy(scene.universe, geometries.data(), 3), ABUT_STALE_ID,
-                        {"geometries", "2", std::to_string(stale.slot)}));
-  }
-  const std::array<abut_geometry_id, 3> twice{scene.geometry, scene.second_geometry, scene.geometry};
-  EXPECT_TRUE(refused(abut_geometries_destroy(scene.universe, twice.data(), 3), ABUT_STALE_ID, {"geometries", "2"}));
-  EXPECT_TRUE(scene.is_unchanged());
-}
-
-TEST(GeometriesPoses, RefusesNullPointers) {
-  const Scene scene;
-  Out<abut_pose> out;
-  EXPECT_TRUE(refused(abut_geometries_poses(nullptr, &scene.geometry, 1, out.address()), ABUT_NULL_ARGUMENT,
-                      {"universe", "null"}));
-  EXPECT_TRUE(refused(abut_geometries_poses(scene.universe, nullptr, 1, out.address()), ABUT_NULL_ARGUMENT,
-                      {"geometries", "null"}));
-  EXPECT_TRUE(
-      refused(abut_geometries_poses(scene.universe, &scene.geometry, 1, nullptr), ABUT_NULL_ARGUMENT, {"out", "null"}));
-  EXPECT_TRUE(out.is_untouched());
-}
-
-TEST(GeometriesPoses, RefusesOverflowingCounts) {
-  const Scene scene;
-  Out<abut_pose> out;
-  expect_overflow_refused(sizeof(abut_pose), "count", [&](std::size_t count) {
-    return abut_geometries_poses(scene.universe, &scene.geometry, count, out.address());
-  });
-  EXPECT_TRUE(out.is_untouched());
-}
-
-TEST(GeometriesPoses, RefusesStaleIdsAndWritesNothing) {
-  const Scene scene;
-  OutArray<abut_pose> out(2);
-  for (const abut_geometry_id stale : scene.stale_geometries) {
-    const std::array<abut_geometry_id, 2> geometries{scene.geometry, stale};
-    EXPECT_TRUE(refused(abut_geometries_poses(scene.universe, geometries.data(), 2, out.data()), ABUT_STALE_ID,
-                        {"geometries", "1", std::to_string(stale.slot)}));
-  }
-  EXPECT_TRUE(out.is_untouched());
 }
 
 }  // namespace

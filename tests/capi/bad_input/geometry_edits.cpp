@@ -35,22 +35,6 @@ TEST(GeometrySetParameters, RefusesNullPointers) {
   EXPECT_TRUE(scene.is_as_before());
 }
 
-TEST(GeometrySetParameters, RefusesStaleIds) {
-  const Edited scene;
-  for (const abut_geometry_id stale : scene.stale_geometries) {
-    EXPECT_TRUE(refused(abut_geometry_set_parameters(scene.universe, stale, radius.data(), 1), ABUT_STALE_ID,
-                        {"geometry", std::to_string(stale.slot)}));
-  }
-  EXPECT_TRUE(scene.is_as_before());
-}
-
-TEST(GeometrySetParameters, RefusesNonFiniteNumbers) {
-  const Edited scene;
-  expect_non_finite_refused(
-      "radius", [&](double bad) { return abut_geometry_set_parameters(scene.universe, scene.geometry, &bad, 1); });
-  EXPECT_TRUE(scene.is_as_before());
-}
-
 TEST(GeometrySetParameters, RefusesWhatCreationRefuses) {
   const Edited scene;
   const std::array<double, 3> sizes{1, 1, -2};
@@ -72,40 +56,6 @@ TEST(GeometrySetParameters, RefusesKindsThatAreMadeOfMore) {
   EXPECT_TRUE(scene.is_as_before());
 }
 
-TEST(GeometriesSetParameters, RefusesNullPointers) {
-  const Edited scene;
-  const auto set = [&](abut_universe* universe, const abut_geometry_id* ids, const double* numbers) {
-    return abut_geometries_set_parameters(universe, ids, numbers, 1, 1);
-  };
-  EXPECT_TRUE(refused(set(nullptr, &scene.geometry, radius.data()), ABUT_NULL_ARGUMENT, {"universe", "null"}));
-  EXPECT_TRUE(refused(set(scene.universe, nullptr, radius.data()), ABUT_NULL_ARGUMENT, {"geometries", "null"}));
-  EXPECT_TRUE(refused(set(scene.universe, &scene.geometry, nullptr), ABUT_NULL_ARGUMENT, {"parameters", "null"}));
-  EXPECT_TRUE(succeeded(abut_geometries_set_parameters(scene.universe, nullptr, nullptr, 3, 0)));
-  EXPECT_TRUE(scene.is_as_before());
-}
-
-TEST(GeometriesSetParameters, RefusesOverflowingCounts) {
-  const Edited scene;
-  expect_overflow_refused(sizeof(abut_geometry_id), "count", [&](std::size_t count) {
-    return abut_geometries_set_parameters(scene.universe, &scene.geometry, radius.data(), 1, count);
-  });
-  expect_overflow_refused(sizeof(double), "parameter_count", [&](std::size_t count) {
-    return abut_geometries_set_parameters(scene.universe, &scene.geometry, radius.data(), count, 1);
-  });
-  EXPECT_TRUE(scene.is_as_before());
-}
-
-TEST(GeometriesSetParameters, RefusesStaleIdsAndSetsNone) {
-  const Edited scene;
-  const std::array<double, 2> radii{2, 3};
-  for (const abut_geometry_id stale : scene.stale_geometries) {
-    const std::array ids{scene.geometry, stale};
-    EXPECT_TRUE(refused(abut_geometries_set_parameters(scene.universe, ids.data(), radii.data(), 1, 2), ABUT_STALE_ID,
-                        {"geometries[1]", std::to_string(stale.slot)}));
-  }
-  EXPECT_TRUE(scene.is_as_before());
-}
-
 TEST(GeometriesSetParameters, RefusesNonFiniteNumbersAndSetsNone) {
   const Edited scene;
   const std::array ids{scene.geometry, scene.geometry};
@@ -117,32 +67,6 @@ TEST(GeometriesSetParameters, RefusesNonFiniteNumbersAndSetsNone) {
   const std::array radii{2.0, 2.0};
   EXPECT_TRUE(refused(abut_geometries_set_parameters(scene.universe, mixed.data(), radii.data(), 1, 2),
                       ABUT_INVALID_ARGUMENT, {"geometries[1]", "parameter_count", "1", "3"}));
-  EXPECT_TRUE(scene.is_as_before());
-}
-
-TEST(GeometrySetHeights, RefusesNullPointers) {
-  const Edited scene;
-  EXPECT_TRUE(refused(abut_geometry_set_heights(nullptr, scene.field, 0, 0, 1, 1, zeros.data()), ABUT_NULL_ARGUMENT,
-                      {"universe", "null"}));
-  EXPECT_TRUE(refused(abut_geometry_set_heights(scene.universe, scene.field, 0, 0, 1, 1, nullptr), ABUT_NULL_ARGUMENT,
-                      {"heights", "null"}));
-  EXPECT_TRUE(scene.is_as_before());
-}
-
-TEST(GeometrySetHeights, RefusesStaleIds) {
-  const Edited scene;
-  for (const abut_geometry_id stale : scene.stale_geometries) {
-    EXPECT_TRUE(refused(abut_geometry_set_heights(scene.universe, stale, 0, 0, 1, 1, zeros.data()), ABUT_STALE_ID,
-                        {"geometry", std::to_string(stale.slot)}));
-  }
-  EXPECT_TRUE(scene.is_as_before());
-}
-
-TEST(GeometrySetHeights, RefusesNonFiniteNumbers) {
-  const Edited scene;
-  const std::array heights{1.0, 2.0, -std::numeric_limits<double>::infinity(), 3.0};
-  EXPECT_TRUE(refused(abut_geometry_set_heights(scene.universe, scene.field, 0, 0, 2, 2, heights.data()),
-                      ABUT_NOT_FINITE, {"heights[2]", "-inf"}));
   EXPECT_TRUE(scene.is_as_before());
 }
 
@@ -175,37 +99,6 @@ TEST(GeometrySetHeights, RefusesOtherKinds) {
   EXPECT_TRUE(scene.is_as_before());
 }
 
-TEST(GeometrySetParticles, RefusesNullPointers) {
-  const Edited scene;
-  EXPECT_TRUE(refused(abut_geometry_set_particles(nullptr, scene.alike, 0, zeros.data(), nullptr, 1),
-                      ABUT_NULL_ARGUMENT, {"universe", "null"}));
-  EXPECT_TRUE(refused(abut_geometry_set_particles(scene.universe, scene.alike, 0, nullptr, nullptr, 1),
-                      ABUT_NULL_ARGUMENT, {"xyz", "null"}));
-  EXPECT_TRUE(scene.is_as_before());
-}
-
-TEST(GeometrySetParticles, RefusesStaleIds) {
-  const Edited scene;
-  for (const abut_geometry_id stale : scene.stale_geometries) {
-    EXPECT_TRUE(refused(abut_geometry_set_particles(scene.universe, stale, 0, zeros.data(), nullptr, 1), ABUT_STALE_ID,
-                        {"geometry", std::to_string(stale.slot)}));
-  }
-  EXPECT_TRUE(scene.is_as_before());
-}
-
-TEST(GeometrySetParticles, RefusesNonFiniteNumbers) {
-  const Edited scene;
-  expect_non_finite_refused("xyz[4]", [&](double bad) {
-    const std::array xyz{1.0, 2.0, 3.0, 4.0, bad, 5.0};
-    return abut_geometry_set_particles(scene.universe, scene.alike, 0, xyz.data(), nullptr, 2);
-  });
-  expect_non_finite_refused("radii[1]", [&](double bad) {
-    const std::array radii{1.0, bad};
-    return abut_geometry_set_particles(scene.universe, scene.various, 0, zeros.data(), radii.data(), 2);
-  });
-  EXPECT_TRUE(scene.is_as_before());
-}
-
 TEST(GeometrySetParticles, RefusesNegativeRadii) {
   const Edited scene;
   const std::array radii{1.0, -0.5};
@@ -232,39 +125,11 @@ TEST(GeometrySetParticles, RefusesParticlesBeyondTheLast) {
   EXPECT_TRUE(scene.is_as_before());
 }
 
-TEST(GeometrySetParticles, RefusesOverflowingCounts) {
-  const Edited scene;
-  expect_overflow_refused(3 * sizeof(double), "count", [&](std::size_t count) {
-    return abut_geometry_set_particles(scene.universe, scene.alike, 0, zeros.data(), nullptr, count);
-  });
-  EXPECT_TRUE(scene.is_as_before());
-}
-
 TEST(GeometrySetParticles, RefusesOtherKinds) {
   const Edited scene;
   EXPECT_TRUE(refused(abut_geometry_set_particles(scene.universe, scene.field, 0, zeros.data(), nullptr, 1),
                       ABUT_UNSUPPORTED, {"geometry", "height_field", "centres"}));
   EXPECT_TRUE(scene.is_as_before());
-}
-
-TEST(GeometryShape, RefusesNullPointers) {
-  const Edited scene;
-  Out<abut_shape*> out;
-  EXPECT_TRUE(
-      refused(abut_geometry_shape(nullptr, scene.geometry, out.address()), ABUT_NULL_ARGUMENT, {"universe", "null"}));
-  EXPECT_TRUE(
-      refused(abut_geometry_shape(scene.universe, scene.geometry, nullptr), ABUT_NULL_ARGUMENT, {"out", "null"}));
-  EXPECT_TRUE(out.is_untouched());
-}
-
-TEST(GeometryShape, RefusesStaleIds) {
-  const Edited scene;
-  Out<abut_shape*> out;
-  for (const abut_geometry_id stale : scene.stale_geometries) {
-    EXPECT_TRUE(refused(abut_geometry_shape(scene.universe, stale, out.address()), ABUT_STALE_ID,
-                        {"geometry", std::to_string(stale.slot)}));
-  }
-  EXPECT_TRUE(out.is_untouched());
 }
 
 }  // namespace

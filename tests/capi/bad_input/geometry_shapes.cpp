@@ -6,24 +6,6 @@ namespace {
 
 using namespace abut_test;
 
-TEST(GeometrySetShape, RefusesNullPointers) {
-  const Scene scene;
-  EXPECT_TRUE(
-      refused(abut_geometry_set_shape(nullptr, scene.geometry, scene.block), ABUT_NULL_ARGUMENT, {"universe", "null"}));
-  EXPECT_TRUE(
-      refused(abut_geometry_set_shape(scene.universe, scene.geometry, nullptr), ABUT_NULL_ARGUMENT, {"shape", "null"}));
-  EXPECT_TRUE(scene.is_unchanged());
-}
-
-TEST(GeometrySetShape, RefusesStaleIds) {
-  const Scene scene;
-  for (const abut_geometry_id stale : scene.stale_geometries) {
-    EXPECT_TRUE(refused(abut_geometry_set_shape(scene.universe, stale, scene.block), ABUT_STALE_ID,
-                        {"geometry", std::to_string(stale.slot)}));
-  }
-  EXPECT_TRUE(scene.is_unchanged());
-}
-
 using Batch = GeometryValues<const abut_shape*>;
 
 Batch make_batch(const Scene& scene) { return {abut_geometries_set_shapes, scene, {scene.block, scene.ball}}; }

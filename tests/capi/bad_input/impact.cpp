@@ -40,62 +40,6 @@ void refuses_null(abut_status status, std::string_view name) {
   EXPECT_TRUE(refused(status, ABUT_NULL_ARGUMENT, {name, "null"}));
 }
 
-TEST(PairTimeOfImpact, RefusesNull) {
-  ImpactCall call;
-  const abut_pose* pose = call.poses_a.data();
-  const abut_movement* way = call.movements_a.data();
-  abut_impact* out = call.one.address();
-  const Shape &a = call.a, &b = call.b;
-  refuses_null(abut_pair_time_of_impact(nullptr, pose, way, b, pose, way, 1, nullptr, out), "a");
-  refuses_null(abut_pair_time_of_impact(a, nullptr, way, b, pose, way, 1, nullptr, out), "pose_a");
-  refuses_null(abut_pair_time_of_impact(a, pose, nullptr, b, pose, way, 1, nullptr, out), "movement_a");
-  refuses_null(abut_pair_time_of_impact(a, pose, way, nullptr, pose, way, 1, nullptr, out), "b");
-  refuses_null(abut_pair_time_of_impact(a, pose, way, b, nullptr, way, 1, nullptr, out), "pose_b");
-  refuses_null(abut_pair_time_of_impact(a, pose, way, b, pose, nullptr, 1, nullptr, out), "movement_b");
-  refuses_null(abut_pair_time_of_impact(a, pose, way, b, pose, way, 1, nullptr, nullptr), "out");
-  EXPECT_TRUE(call.is_untouched());
-}
-
-TEST(PairsTimeOfImpact, RefusesNull) {
-  ImpactCall call;
-  const abut_pose* poses = call.poses_a.data();
-  const abut_movement* ways = call.movements_a.data();
-  abut_impact* out = call.both.data();
-  const Shape &a = call.a, &b = call.b;
-  refuses_null(abut_pairs_time_of_impact(nullptr, poses, ways, b, poses, ways, 2, 1, nullptr, out), "a");
-  refuses_null(abut_pairs_time_of_impact(a, nullptr, ways, b, poses, ways, 2, 1, nullptr, out), "poses_a");
-  refuses_null(abut_pairs_time_of_impact(a, poses, nullptr, b, poses, ways, 2, 1, nullptr, out), "movements_a");
-  refuses_null(abut_pairs_time_of_impact(a, poses, ways, nullptr, poses, ways, 2, 1, nullptr, out), "b");
-  refuses_null(abut_pairs_time_of_impact(a, poses, ways, b, nullptr, ways, 2, 1, nullptr, out), "poses_b");
-  refuses_null(abut_pairs_time_of_impact(a, poses, ways, b, poses, nullptr, 2, 1, nullptr, out), "movements_b");
-  refuses_null(abut_pairs_time_of_impact(a, poses, ways, b, poses, ways, 2, 1, nullptr, nullptr), "out");
-  EXPECT_TRUE(succeeded(abut_pairs_time_of_impact(a, nullptr, nullptr, b, nullptr, nullptr, 0, 1, nullptr, nullptr)));
-  EXPECT_TRUE(call.is_untouched());
-}
-
-TEST(PairTimeOfImpact, RefusesNonFiniteMovementsPosesAndDurations) {
-  for (const BadVector& bad : non_finite_vectors()) {
-    for (abut_vec3 abut_movement::* field :
-         {&abut_movement::velocity, &abut_movement::angular_velocity, &abut_movement::acceleration,
-          &abut_movement::angular_acceleration, &abut_movement::centre}) {
-      ImpactCall call;
-      call.movements_b[0].*field = bad.vector;
-      EXPECT_TRUE(refused(call.ask(), ABUT_NOT_FINITE, {"movement_b.", bad.word}));
-      EXPECT_TRUE(call.is_untouched());
-    }
-  }
-  for (const BadPose& bad : bad_poses()) {
-    ImpactCall call;
-    call.poses_a[0] = bad.pose;
-    EXPECT_TRUE(refused(call.ask(), bad.status, {"pose_a", bad.word}));
-  }
-  for (const BadNumber& bad : non_finite_numbers) {
-    ImpactCall call;
-    call.duration = bad.value;
-    EXPECT_TRUE(refused(call.ask(), ABUT_NOT_FINITE, {"duration", bad.word}));
-  }
-}
-
 TEST(PairsTimeOfImpact, RefusesNonFiniteMovementsByTheirNumber) {
   for (const BadVector& bad : non_finite_vectors()) {
     ImpactCall call;
@@ -136,29 +80,6 @@ TEST(PairTimeOfImpact, RefusesBadOptions) {
   options = default_impact_options();
   options.threads = 4096;
   EXPECT_TRUE(refused(call.ask_all(&options), ABUT_OUT_OF_RANGE, {"options.threads", "4096"}));
-  EXPECT_TRUE(call.is_untouched());
-}
-
-TEST(PairTimeOfImpact, RefusesWrongStructSize) {
-  ImpactCall call;
-  expect_struct_size_checked(default_impact_options(),
-                             [&](const abut_impact_options* wrong) { return call.ask(wrong); });
-  EXPECT_TRUE(call.is_untouched());
-  expect_zero_tail_accepted(default_impact_options(),
-                            [&](const abut_impact_options* later) { return call.ask(later); });
-}
-
-TEST(PairsTimeOfImpact, RefusesWrongStructSize) {
-  ImpactCall call;
-  expect_struct_size_checked(default_impact_options(),
-                             [&](const abut_impact_options* wrong) { return call.ask_all(wrong); });
-  EXPECT_TRUE(call.is_untouched());
-}
-
-TEST(PairsTimeOfImpact, RefusesOverflow) {
-  ImpactCall call;
-  expect_overflow_refused(sizeof(abut_impact), "count",
-                          [&](std::size_t count) { return call.ask_all(nullptr, count); });
   EXPECT_TRUE(call.is_untouched());
 }
 

@@ -57,15 +57,4 @@ TEST(PartIsland, RefusesNullPointersAndUniversesWithout) {
   EXPECT_TRUE(out.is_untouched());
 }
 
-TEST(PartIsland, RefusesStaleIds) {
-  const Scene scene;
-  require(abut_universe_follow_islands(scene.universe, 1));
-  Out<abut_island> out;
-  for (const abut_part_id stale : scene.stale_parts) {
-    EXPECT_TRUE(refused(abut_part_island(scene.universe, stale, out.address()), ABUT_STALE_ID,
-                        {"part", std::to_string(stale.slot)}));
-  }
-  EXPECT_TRUE(out.is_untouched());
-}
-
 }  // namespace

@@ -36,13 +36,6 @@ TEST(SetAllocator, RefusesToChangeWhileMemoryIsInUse) {
   EXPECT_EQ(ledger.asked(), asked) << "and no longer";
 }
 
-TEST(MemoryInUse, RefusesNull) {
-  Out<std::uint64_t> bytes, blocks;
-  EXPECT_TRUE(refused(abut_memory_in_use(nullptr, blocks.address()), ABUT_NULL_ARGUMENT, {"bytes is null"}));
-  EXPECT_TRUE(refused(abut_memory_in_use(bytes.address(), nullptr), ABUT_NULL_ARGUMENT, {"blocks is null"}));
-  EXPECT_TRUE(bytes.is_untouched() && blocks.is_untouched());
-}
-
 TEST(MemoryAllocate, GivesNothingForWhatIsNoAlignment) {
   for (const std::size_t alignment : {std::size_t{0}, std::size_t{3}, std::size_t{48}, ~std::size_t{0}}) {
     EXPECT_EQ(abut_memory_allocate(10, alignment), nullptr) << alignment;

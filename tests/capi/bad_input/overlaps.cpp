@@ -41,27 +41,6 @@ TEST(PairOverlaps, RefusesNullPointers) {
   EXPECT_TRUE(call.out.is_untouched());
 }
 
-TEST(PairOverlaps, RefusesNonFiniteAndOtherBadPoses) {
-  Call call;
-  expect_pose_checked("pose_a", [&](const abut_pose* pose) {
-    return abut_pair_overlaps(call.a, pose, call.b, &identity, nullptr, call.out.address());
-  });
-  expect_pose_checked("pose_b", [&](const abut_pose* pose) {
-    return abut_pair_overlaps(call.a, &identity, call.b, pose, nullptr, call.out.address());
-  });
-  EXPECT_TRUE(call.out.is_untouched());
-}
-
-TEST(PairOverlaps, RefusesWrongStructSize) {
-  Call call;
-  expect_struct_size_checked(default_options(), [&](const abut_query_options* wrong) { return call.ask(wrong); });
-}
-
-TEST(PairsOverlap, RefusesWrongStructSize) {
-  Batch batch;
-  expect_struct_size_checked(default_options(), [&](const abut_query_options* wrong) { return batch.ask(wrong); });
-}
-
 TEST(PairOverlaps, RefusesBadOptions) {
   Call call;
   Batch batch;
@@ -89,39 +68,6 @@ TEST(PairOverlaps, RefusesPairsWithoutAnAlgorithm) {
                         {"plane"}));
   }
   EXPECT_TRUE(out.is_untouched());
-}
-
-TEST(PairsOverlap, RefusesNullPointers) {
-  Batch batch;
-  const abut_shape *const *a = batch.shapes_a.data(), *const *b = batch.shapes_b.data();
-  const abut_pose* const poses = batch.poses.data();
-  std::uint32_t* const out = batch.out.data();
-  EXPECT_TRUE(refused(abut_pairs_overlap(nullptr, poses, b, poses, 2, nullptr, out), ABUT_NULL_ARGUMENT, {"shapes_a"}));
-  EXPECT_TRUE(refused(abut_pairs_overlap(a, nullptr, b, poses, 2, nullptr, out), ABUT_NULL_ARGUMENT, {"poses_a"}));
-  EXPECT_TRUE(refused(abut_pairs_overlap(a, poses, nullptr, poses, 2, nullptr, out), ABUT_NULL_ARGUMENT, {"shapes_b"}));
-  EXPECT_TRUE(refused(abut_pairs_overlap(a, poses, b, nullptr, 2, nullptr, out), ABUT_NULL_ARGUMENT, {"poses_b"}));
-  EXPECT_TRUE(refused(abut_pairs_overlap(a, poses, b, poses, 2, nullptr, nullptr), ABUT_NULL_ARGUMENT, {"out"}));
-  batch.shapes_b[1] = nullptr;
-  EXPECT_TRUE(refused(batch.ask(nullptr), ABUT_NULL_ARGUMENT, {"shapes_b[1]"}));
-  EXPECT_TRUE(batch.out.is_untouched());
-}
-
-TEST(PairsOverlap, RefusesNonFiniteAndOtherBadPosesAndWritesNothing) {
-  Batch batch;
-  for (const BadPose& bad : bad_poses()) {
-    batch.poses[1] = bad.pose;
-    EXPECT_TRUE(refused(batch.ask(nullptr), bad.status, {"poses_a[1]", bad.word}));
-  }
-  EXPECT_TRUE(batch.out.is_untouched());
-}
-
-TEST(PairsOverlap, RefusesOverflowingCounts) {
-  Batch batch;
-  expect_overflow_refused(sizeof(abut_pose), "count", [&](std::size_t count) {
-    return abut_pairs_overlap(batch.shapes_a.data(), batch.poses.data(), batch.shapes_b.data(), batch.poses.data(),
-                              count, nullptr, batch.out.data());
-  });
-  EXPECT_TRUE(batch.out.is_untouched());
 }
 
 TEST(PairsOverlap, NamesThePairThatHasNoAlgorithmAndWritesNothing) {

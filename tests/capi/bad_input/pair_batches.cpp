@@ -219,29 +219,6 @@ TEST(PairsCast, RefusesNull) {
   EXPECT_TRUE(call.hits.is_untouched());
 }
 
-TEST(PairsCast, RefusesNonFiniteAndOtherBadPoses) {
-  for (const bool is_first : {true, false}) {
-    CastCall call;
-    for (const BadPose& bad : bad_poses()) {
-      (is_first ? call.poses_a : call.poses_b)[1] = bad.pose;
-      EXPECT_TRUE(refused(call.ask(nullptr), bad.status, {is_first ? "poses_a[1]" : "poses_b[1]", bad.word}));
-    }
-    EXPECT_TRUE(call.hits.is_untouched());
-  }
-}
-
-TEST(PairsCast, RefusesNonFiniteDisplacements) {
-  for (const bool is_first : {true, false}) {
-    CastCall call;
-    for (const BadVector& bad : non_finite_vectors()) {
-      (is_first ? call.ways_a : call.ways_b)[1] = bad.vector;
-      EXPECT_TRUE(refused(call.ask(nullptr), ABUT_NOT_FINITE,
-                          {is_first ? "displacements_a[1]" : "displacements_b[1]", bad.word}));
-    }
-    EXPECT_TRUE(call.hits.is_untouched());
-  }
-}
-
 TEST(PairsCast, RefusesBadOptions) {
   CastCall call;
   abut_query_options options = default_options();
@@ -253,19 +230,6 @@ TEST(PairsCast, RefusesBadOptions) {
   options = default_options();
   options.algorithm = ABUT_ALGORITHM_SAT;
   EXPECT_TRUE(refused(call.ask(&options), ABUT_UNSUPPORTED, {"algorithm"}));
-  EXPECT_TRUE(call.hits.is_untouched());
-}
-
-TEST(PairsCast, RefusesWrongStructSize) {
-  CastCall call;
-  expect_struct_size_checked(default_options(), [&](const abut_query_options* wrong) { return call.ask(wrong); });
-  EXPECT_TRUE(call.hits.is_untouched());
-  expect_zero_tail_accepted(default_options(), [&](const abut_query_options* later) { return call.ask(later); });
-}
-
-TEST(PairsCast, RefusesOverflowingCounts) {
-  CastCall call;
-  expect_overflow_refused(sizeof(abut_pose), "count", [&](std::size_t count) { return call.ask(nullptr, count); });
   EXPECT_TRUE(call.hits.is_untouched());
 }
 

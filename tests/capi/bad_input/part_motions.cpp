@@ -8,58 +8,11 @@ using namespace abut_test;
 
 constexpr std::array<std::uint32_t, 3> unknown_motions{3, 77, 0xFFFFFFFF};
 
-TEST(PartSetMotion, RefusesNullUniverse) {
-  const Scene scene;
-  EXPECT_TRUE(
-      refused(abut_part_set_motion(nullptr, scene.part, ABUT_MOTION_STATIC), ABUT_NULL_ARGUMENT, {"universe", "null"}));
-}
-
-TEST(PartSetMotion, RefusesStaleIds) {
-  const Scene scene;
-  for (const abut_part_id stale : scene.stale_parts) {
-    EXPECT_TRUE(refused(abut_part_set_motion(scene.universe, stale, ABUT_MOTION_STATIC), ABUT_STALE_ID,
-                        {"part", std::to_string(stale.slot)}));
-  }
-  EXPECT_TRUE(scene.is_unchanged());
-}
-
 TEST(PartSetMotion, RefusesUnknownMotions) {
   const Scene scene;
   for (const std::uint32_t motion : unknown_motions) {
     EXPECT_TRUE(refused(abut_part_set_motion(scene.universe, scene.part, motion), ABUT_UNKNOWN_VALUE,
                         {"motion", std::to_string(motion)}));
-  }
-  EXPECT_TRUE(scene.is_unchanged());
-}
-
-TEST(PartsSetMotions, RefusesNullPointers) {
-  const Scene scene;
-  const abut_motion motion = ABUT_MOTION_STATIC;
-  EXPECT_TRUE(
-      refused(abut_parts_set_motions(nullptr, &scene.part, &motion, 1), ABUT_NULL_ARGUMENT, {"universe", "null"}));
-  EXPECT_TRUE(
-      refused(abut_parts_set_motions(scene.universe, nullptr, &motion, 1), ABUT_NULL_ARGUMENT, {"parts", "null"}));
-  EXPECT_TRUE(refused(abut_parts_set_motions(scene.universe, &scene.part, nullptr, 1), ABUT_NULL_ARGUMENT,
-                      {"motions", "null"}));
-  EXPECT_TRUE(scene.is_unchanged());
-}
-
-TEST(PartsSetMotions, RefusesOverflowingCounts) {
-  const Scene scene;
-  const abut_motion motion = ABUT_MOTION_STATIC;
-  expect_overflow_refused(sizeof(abut_part_id), "count", [&](std::size_t count) {
-    return abut_parts_set_motions(scene.universe, &scene.part, &motion, count);
-  });
-  EXPECT_TRUE(scene.is_unchanged());
-}
-
-TEST(PartsSetMotions, RefusesStaleIdsAndSetsNone) {
-  const Scene scene;
-  const std::array<abut_motion, 2> motions{ABUT_MOTION_STATIC, ABUT_MOTION_ANIMATED};
-  for (const abut_part_id stale : scene.stale_parts) {
-    const std::array<abut_part_id, 2> parts{scene.part, stale};
-    EXPECT_TRUE(refused(abut_parts_set_motions(scene.universe, parts.data(), motions.data(), 2), ABUT_STALE_ID,
-                        {"parts", "1", std::to_string(stale.slot)}));
   }
   EXPECT_TRUE(scene.is_unchanged());
 }
@@ -85,24 +38,6 @@ TEST(PartsSetMotions, TakesNoneAndTheLastOfTwo) {
   abut_motion motion = 0;
   EXPECT_TRUE(succeeded(abut_part_motion(scene.universe, scene.part, &motion)));
   EXPECT_EQ(motion, abut_motion{ABUT_MOTION_ANIMATED});
-}
-
-TEST(PartMotion, RefusesNullPointers) {
-  const Scene scene;
-  Out<abut_motion> out;
-  EXPECT_TRUE(refused(abut_part_motion(nullptr, scene.part, out.address()), ABUT_NULL_ARGUMENT, {"universe", "null"}));
-  EXPECT_TRUE(refused(abut_part_motion(scene.universe, scene.part, nullptr), ABUT_NULL_ARGUMENT, {"out", "null"}));
-  EXPECT_TRUE(out.is_untouched());
-}
-
-TEST(PartMotion, RefusesStaleIds) {
-  const Scene scene;
-  Out<abut_motion> out;
-  for (const abut_part_id stale : scene.stale_parts) {
-    EXPECT_TRUE(refused(abut_part_motion(scene.universe, stale, out.address()), ABUT_STALE_ID,
-                        {"part", std::to_string(stale.slot)}));
-  }
-  EXPECT_TRUE(out.is_untouched());
 }
 
 }  // namespace

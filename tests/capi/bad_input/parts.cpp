@@ -25,27 +25,6 @@ TEST(PartOptionsInit, FillsInTheDefaults) {
   EXPECT_EQ(options.value().user_data, 0U);
 }
 
-TEST(PartCreate, RefusesNullPointers) {
-  const Scene scene;
-  Out<abut_part_id> out;
-  EXPECT_TRUE(refused(abut_part_create(nullptr, nullptr, out.address()), ABUT_NULL_ARGUMENT, {"universe", "null"}));
-  EXPECT_TRUE(refused(abut_part_create(scene.universe, nullptr, nullptr), ABUT_NULL_ARGUMENT, {"out", "null"}));
-  EXPECT_TRUE(out.is_untouched());
-  EXPECT_TRUE(scene.is_unchanged());
-}
-
-TEST(PartCreate, RefusesNonFiniteAndOtherBadPoses) {
-  const Scene scene;
-  Out<abut_part_id> out;
-  expect_pose_field_checked([&](const abut_pose& pose) {
-    abut_part_options options = default_options();
-    options.pose = pose;
-    return abut_part_create(scene.universe, &options, out.address());
-  });
-  EXPECT_TRUE(out.is_untouched());
-  EXPECT_TRUE(scene.is_unchanged());
-}
-
 TEST(PartCreate, RefusesUnknownMotion) {
   const Scene scene;
   Out<abut_part_id> out;
@@ -59,16 +38,6 @@ TEST(PartCreate, RefusesUnknownMotion) {
   EXPECT_TRUE(scene.is_unchanged());
 }
 
-TEST(PartCreate, RefusesWrongStructSize) {
-  const Scene scene;
-  Out<abut_part_id> out;
-  expect_struct_size_checked(default_options(), [&](const abut_part_options* wrong) {
-    return abut_part_create(scene.universe, wrong, out.address());
-  });
-  EXPECT_TRUE(out.is_untouched());
-  EXPECT_TRUE(scene.is_unchanged());
-}
-
 TEST(PartCreate, AcceptsLaterOptionsWithZeroTail) {
   const Scene scene;
   abut_part_id part{};
@@ -76,105 +45,6 @@ TEST(PartCreate, AcceptsLaterOptionsWithZeroTail) {
     return abut_part_create(scene.universe, later, &part);
   });
   EXPECT_NE(part.slot, 0U);
-}
-
-TEST(PartDestroy, RefusesNullUniverse) {
-  const Scene scene;
-  EXPECT_TRUE(refused(abut_part_destroy(nullptr, scene.part), ABUT_NULL_ARGUMENT, {"universe", "null"}));
-}
-
-TEST(PartDestroy, RefusesStaleIds) {
-  const Scene scene;
-  for (const abut_part_id stale : scene.stale_parts) {
-    EXPECT_TRUE(refused(abut_part_destroy(scene.universe, stale), ABUT_STALE_ID, {"part", std::to_string(stale.slot)}));
-  }
-  EXPECT_TRUE(scene.is_unchanged());
-}
-
-TEST(PartSetPose, RefusesNullPointers) {
-  const Scene scene;
-  EXPECT_TRUE(refused(abut_part_set_pose(nullptr, scene.part, &identity), ABUT_NULL_ARGUMENT, {"universe", "null"}));
-  EXPECT_TRUE(refused(abut_part_set_pose(scene.universe, scene.part, nullptr), ABUT_NULL_ARGUMENT, {"pose", "null"}));
-  EXPECT_TRUE(scene.is_unchanged());
-}
-
-TEST(PartSetPose, RefusesStaleIds) {
-  const Scene scene;
-  for (const abut_part_id stale : scene.stale_parts) {
-    EXPECT_TRUE(refused(abut_part_set_pose(scene.universe, stale, &identity), ABUT_STALE_ID,
-                        {"part", std::to_string(stale.slot)}));
-  }
-  EXPECT_TRUE(scene.is_unchanged());
-}
-
-TEST(PartSetPose, RefusesNonFiniteAndOtherBadPoses) {
-  const Scene scene;
-  expect_pose_checked("pose",
-                      [&](const abut_pose* pose) { return abut_part_set_pose(scene.universe, scene.part, pose); });
-  EXPECT_TRUE(scene.is_unchanged());
-}
-
-TEST(PartPose, RefusesNullPointers) {
-  const Scene scene;
-  Out<abut_pose> out;
-  EXPECT_TRUE(refused(abut_part_pose(nullptr, scene.part, out.address()), ABUT_NULL_ARGUMENT, {"universe", "null"}));
-  EXPECT_TRUE(refused(abut_part_pose(scene.universe, scene.part, nullptr), ABUT_NULL_ARGUMENT, {"out", "null"}));
-  EXPECT_TRUE(out.is_untouched());
-}
-
-TEST(PartPose, RefusesStaleIds) {
-  const Scene scene;
-  Out<abut_pose> out;
-  for (const abut_part_id stale : scene.stale_parts) {
-    EXPECT_TRUE(refused(abut_part_pose(scene.universe, stale, out.address()), ABUT_STALE_ID,
-                        {"part", std::to_string(stale.slot)}));
-  }
-  EXPECT_TRUE(out.is_untouched());
-}
-
-TEST(PartUserData, RefusesNullPointers) {
-  const Scene scene;
-  Out<std::uint64_t> out;
-  EXPECT_TRUE(
-      refused(abut_part_user_data(nullptr, scene.part, out.address()), ABUT_NULL_ARGUMENT, {"universe", "null"}));
-  EXPECT_TRUE(refused(abut_part_user_data(scene.universe, scene.part, nullptr), ABUT_NULL_ARGUMENT, {"out", "null"}));
-  EXPECT_TRUE(out.is_untouched());
-}
-
-TEST(PartUserData, RefusesStaleIds) {
-  const Scene scene;
-  Out<std::uint64_t> out;
-  for (const abut_part_id stale : scene.stale_parts) {
-    EXPECT_TRUE(refused(abut_part_user_data(scene.universe, stale, out.address()), ABUT_STALE_ID,
-                        {"part", std::to_string(stale.slot)}));
-  }
-  EXPECT_TRUE(out.is_untouched());
-}
-
-TEST(PartGeometries, RefusesNullPointers) {
-  const Scene scene;
-  OutArray<abut_geometry_id> out(2);
-  Out<std::size_t> count;
-  EXPECT_TRUE(refused(abut_part_geometries(nullptr, scene.part, out.data(), 2, count.address()), ABUT_NULL_ARGUMENT,
-                      {"universe", "null"}));
-  EXPECT_TRUE(refused(abut_part_geometries(scene.universe, scene.part, nullptr, 2, count.address()), ABUT_NULL_ARGUMENT,
-                      {"geometries", "null"}));
-  EXPECT_TRUE(refused(abut_part_geometries(scene.universe, scene.part, out.data(), 2, nullptr), ABUT_NULL_ARGUMENT,
-                      {"count", "null"}));
-  EXPECT_TRUE(out.is_untouched());
-  EXPECT_TRUE(count.is_untouched());
-}
-
-TEST(PartGeometries, RefusesStaleIds) {
-  const Scene scene;
-  OutArray<abut_geometry_id> out(2);
-  Out<std::size_t> count;
-  for (const abut_part_id stale : scene.stale_parts) {
-    EXPECT_TRUE(refused(abut_part_geometries(scene.universe, stale, out.data(), 2, count.address()), ABUT_STALE_ID,
-                        {"part", std::to_string(stale.slot)}));
-  }
-  EXPECT_TRUE(out.is_untouched());
-  EXPECT_TRUE(count.is_untouched());
 }
 
 }  // namespace

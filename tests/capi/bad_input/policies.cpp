@@ -21,13 +21,6 @@ TEST(PolicyInit, FillsInTheDefaults) {
   EXPECT_EQ(policy.value().error_bound, 0.0);
 }
 
-TEST(PolicySet, RefusesNullUniverse) {
-  const abut_policy policy = default_policy();
-  EXPECT_TRUE(refused(abut_policy_set(nullptr, 0, 1, &policy), ABUT_NULL_ARGUMENT, {"universe", "null"}));
-  const Scene scene;
-  EXPECT_TRUE(succeeded(abut_policy_set(scene.universe, 0, 1, nullptr))) << "back to the default";
-}
-
 TEST(PolicySet, RefusesTagsThatAreNone) {
   const Scene scene;
   abut_policy policy = default_policy();
@@ -64,40 +57,6 @@ TEST(PolicySet, RefusesAPeriodOfZero) {
   EXPECT_TRUE(scene.is_unchanged());
 }
 
-TEST(PolicySet, RefusesNonFiniteAndOtherBadNumbers) {
-  const Scene scene;
-  abut_policy policy = default_policy();
-  expect_non_finite_refused("policy.tolerance", [&](double bad) {
-    policy.tolerance = bad;
-    return abut_policy_set(scene.universe, 0, 1, &policy);
-  });
-  policy = default_policy();
-  expect_non_finite_refused("policy.error_bound", [&](double bad) {
-    policy.error_bound = bad;
-    return abut_policy_set(scene.universe, 0, 1, &policy);
-  });
-  policy.error_bound = -2.5;
-  EXPECT_TRUE(refused(abut_policy_set(scene.universe, 0, 1, &policy), ABUT_OUT_OF_RANGE, {"error_bound", "-2.5"}));
-  EXPECT_TRUE(scene.is_unchanged());
-}
-
-TEST(PolicySet, RefusesWrongStructSize) {
-  const Scene scene;
-  expect_struct_size_checked(default_policy(),
-                             [&](const abut_policy* wrong) { return abut_policy_set(scene.universe, 0, 1, wrong); });
-  expect_zero_tail_accepted(default_policy(),
-                            [&](const abut_policy* later) { return abut_policy_set(scene.universe, 0, 1, later); });
-  EXPECT_TRUE(scene.is_unchanged());
-}
-
-TEST(PolicyGet, RefusesNullPointers) {
-  const Scene scene;
-  Out<abut_policy> out(default_policy());
-  EXPECT_TRUE(refused(abut_policy_get(nullptr, 0, 1, out.address()), ABUT_NULL_ARGUMENT, {"universe", "null"}));
-  EXPECT_TRUE(refused(abut_policy_get(scene.universe, 0, 1, nullptr), ABUT_NULL_ARGUMENT, {"out", "null"}));
-  EXPECT_TRUE(out.is_untouched());
-}
-
 TEST(PolicyGet, RefusesTagsThatAreNone) {
   const Scene scene;
   Out<abut_policy> out(default_policy());
@@ -108,12 +67,6 @@ TEST(PolicyGet, RefusesTagsThatAreNone) {
                         {"tag_b", std::to_string(tag)}));
   }
   EXPECT_TRUE(out.is_untouched());
-}
-
-TEST(PolicyGet, RefusesWrongStructSize) {
-  const Scene scene;
-  expect_size_of_out_struct_checked(default_policy(),
-                                    [&](abut_policy* out) { return abut_policy_get(scene.universe, 0, 1, out); });
 }
 
 TEST(PolicyGet, AcceptsLaterStructWithZeroTail) {

@@ -44,28 +44,6 @@ TEST(PairCast, RefusesNull) {
   EXPECT_TRUE(call.is_untouched());
 }
 
-TEST(PairCast, RefusesNonFiniteDisplacementsAndOptions) {
-  for (const bool is_first : {true, false}) {
-    CastCall call;
-    for (const BadVector& bad : non_finite_vectors()) {
-      (is_first ? call.displacement_a : call.displacement_b) = bad.vector;
-      EXPECT_TRUE(
-          refused(call.ask(nullptr), ABUT_NOT_FINITE, {is_first ? "displacement_a" : "displacement_b", bad.word}));
-    }
-    EXPECT_TRUE(call.is_untouched());
-  }
-  CastCall call;
-  abut_query_options options;
-  for (const bool is_margin : {true, false}) {
-    abut_query_options_init(&options, sizeof options);
-    expect_non_finite_refused(is_margin ? "margin" : "error_bound", [&](double bad) {
-      (is_margin ? options.margin : options.error_bound) = bad;
-      return call.ask(&options);
-    });
-  }
-  EXPECT_TRUE(call.is_untouched());
-}
-
 TEST(PairCast, RefusesBadPoses) {
   for (const bool is_first : {true, false}) {
     CastCall call;
@@ -75,15 +53,6 @@ TEST(PairCast, RefusesBadPoses) {
     });
     EXPECT_TRUE(call.is_untouched());
   }
-}
-
-TEST(PairCast, RefusesWrongStructSize) {
-  CastCall call;
-  abut_query_options options;
-  abut_query_options_init(&options, sizeof options);
-  expect_struct_size_checked(options, [&](const abut_query_options* wrong) { return call.ask(wrong); });
-  EXPECT_TRUE(call.is_untouched());
-  expect_zero_tail_accepted(options, [&](const abut_query_options* later) { return call.ask(later); });
 }
 
 TEST(PairCast, RefusesBadOptions) {

@@ -87,12 +87,6 @@ TEST(PairSupport, IsOneButForPlanesAndHoles) {
   }
 }
 
-TEST(PairSupport, RefusesNullOut) {
-  const abut_shape_kind sphere = abut_shape_kind_by_name("sphere");
-  EXPECT_TRUE(
-      refused(abut_pair_support(sphere, sphere, ABUT_QUERY_DISTANCE, nullptr), ABUT_NULL_ARGUMENT, {"out", "null"}));
-}
-
 TEST(PairSupport, RefusesWhatIsNoKindAndNoQuery) {
   Out<std::uint32_t> out;
   const abut_shape_kind sphere = abut_shape_kind_by_name("sphere");

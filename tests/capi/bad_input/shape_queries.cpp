@@ -6,20 +6,6 @@ namespace {
 
 using namespace abut_test;
 
-TEST(ShapeParameters, RefusesNullPointers) {
-  const Shape ball = make_sphere(1.0);
-  Out<double> parameter;
-  Out<std::size_t> count;
-  EXPECT_TRUE(refused(abut_shape_parameters(nullptr, parameter.address(), 1, count.address()), ABUT_NULL_ARGUMENT,
-                      {"shape", "null"}));
-  EXPECT_TRUE(
-      refused(abut_shape_parameters(ball, parameter.address(), 1, nullptr), ABUT_NULL_ARGUMENT, {"count", "null"}));
-  EXPECT_TRUE(
-      refused(abut_shape_parameters(ball, nullptr, 1, count.address()), ABUT_NULL_ARGUMENT, {"parameters", "null"}));
-  EXPECT_TRUE(parameter.is_untouched());
-  EXPECT_TRUE(count.is_untouched());
-}
-
 TEST(ShapeParameters, CountsThenFills) {
   const Shape box = make_box(1.0, 2.0, 3.0);
   std::size_t count = 99;
@@ -34,23 +20,6 @@ TEST(ShapeParameters, CountsThenFills) {
   ASSERT_TRUE(succeeded(abut_shape_parameters(box, parameters.data(), 5, &count)));
   EXPECT_EQ(parameters[2], 3.0);
   EXPECT_TRUE(parameters.is_untouched_from(3));
-}
-
-TEST(ShapeAabb, RefusesNullPointers) {
-  const Shape ball = make_sphere(1.0);
-  Out<abut_aabb> out;
-  EXPECT_TRUE(refused(abut_shape_aabb(nullptr, &identity, out.address()), ABUT_NULL_ARGUMENT, {"shape", "null"}));
-  EXPECT_TRUE(refused(abut_shape_aabb(ball, nullptr, out.address()), ABUT_NULL_ARGUMENT, {"pose", "null"}));
-  EXPECT_TRUE(refused(abut_shape_aabb(ball, &identity, nullptr), ABUT_NULL_ARGUMENT, {"out", "null"}));
-  EXPECT_TRUE(out.is_untouched());
-}
-
-TEST(ShapeAabb, RefusesNonFiniteAndOtherBadPoses) {
-  for (const Shape& shape : make_one_of_each_kind()) {
-    Out<abut_aabb> out;
-    expect_pose_checked("pose", [&](const abut_pose* pose) { return abut_shape_aabb(shape, pose, out.address()); });
-    EXPECT_TRUE(out.is_untouched());
-  }
 }
 
 TEST(ShapeAabb, NormalisesOrientationsThatAreNearlyUnit) {
@@ -131,40 +100,6 @@ TEST(ShapeCastRay, AcceptsTheCallThatTheOthersSpoil) {
   RayCall call;
   EXPECT_TRUE(succeeded(call.cast()));
   EXPECT_EQ(call.found.value(), 1U);
-}
-
-TEST(ShapeCastRay, RefusesNullPointers) {
-  RayCall call;
-  abut_ray_hit* const hit = call.hit.address();
-  std::uint32_t* const found = call.found.address();
-  EXPECT_TRUE(
-      refused(abut_shape_cast_ray(nullptr, &identity, &call.ray, hit, found), ABUT_NULL_ARGUMENT, {"shape", "null"}));
-  EXPECT_TRUE(
-      refused(abut_shape_cast_ray(call.shape, nullptr, &call.ray, hit, found), ABUT_NULL_ARGUMENT, {"pose", "null"}));
-  EXPECT_TRUE(
-      refused(abut_shape_cast_ray(call.shape, &identity, nullptr, hit, found), ABUT_NULL_ARGUMENT, {"ray", "null"}));
-  EXPECT_TRUE(refused(abut_shape_cast_ray(call.shape, &identity, &call.ray, nullptr, found), ABUT_NULL_ARGUMENT,
-                      {"hit", "null"}));
-  EXPECT_TRUE(refused(abut_shape_cast_ray(call.shape, &identity, &call.ray, hit, nullptr), ABUT_NULL_ARGUMENT,
-                      {"found", "null"}));
-  EXPECT_TRUE(call.is_untouched());
-}
-
-TEST(ShapeCastRay, RefusesNonFiniteNumbers) {
-  RayCall call;
-  for (const BadVector& bad : non_finite_vectors()) {
-    call.ray.origin = bad.vector;
-    EXPECT_TRUE(refused(call.cast(), ABUT_NOT_FINITE, {"origin", bad.word}));
-  }
-  call.ray.origin = {-5.0, 0.0, 0.0};
-  for (const BadVector& bad : non_finite_vectors()) {
-    call.ray.direction = bad.vector;
-    EXPECT_TRUE(refused(call.cast(), ABUT_NOT_FINITE, {"direction", bad.word}));
-  }
-  call.ray.direction = {1.0, 0.0, 0.0};
-  call.ray.max_distance = not_a_number;
-  EXPECT_TRUE(refused(call.cast(), ABUT_NOT_FINITE, {"max_distance", "nan"}));
-  EXPECT_TRUE(call.is_untouched());
 }
 
 TEST(ShapeCastRay, RefusesNegativeLength) {

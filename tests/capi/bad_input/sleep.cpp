@@ -149,51 +149,6 @@ TEST(PartsSetSleep, RefusesWrongStructSize) {
   expect_nobody_sleeps(scene);
 }
 
-TEST(PartIsAsleep, RefusesNullPointers) {
-  const Scene scene;
-  Out<std::uint32_t> out;
-  EXPECT_TRUE(
-      refused(abut_part_is_asleep(nullptr, scene.part, out.address()), ABUT_NULL_ARGUMENT, {"universe", "null"}));
-  EXPECT_TRUE(refused(abut_part_is_asleep(scene.universe, scene.part, nullptr), ABUT_NULL_ARGUMENT, {"out", "null"}));
-  EXPECT_TRUE(out.is_untouched());
-}
-
-TEST(PartIsAsleep, RefusesStaleIds) {
-  const Scene scene;
-  Out<std::uint32_t> out;
-  for (const abut_part_id stale : scene.stale_parts) {
-    EXPECT_TRUE(refused(abut_part_is_asleep(scene.universe, stale, out.address()), ABUT_STALE_ID,
-                        {"part", std::to_string(stale.slot)}));
-  }
-  EXPECT_TRUE(out.is_untouched());
-}
-
-TEST(PartWake, RefusesNullUniverse) {
-  const Scene scene;
-  EXPECT_TRUE(refused(abut_part_wake(nullptr, scene.part), ABUT_NULL_ARGUMENT, {"universe", "null"}));
-}
-
-TEST(PartWake, RefusesStaleIds) {
-  const Scene scene;
-  for (const abut_part_id stale : scene.stale_parts) {
-    EXPECT_TRUE(refused(abut_part_wake(scene.universe, stale), ABUT_STALE_ID, {"part", std::to_string(stale.slot)}));
-  }
-  EXPECT_TRUE(scene.is_unchanged());
-}
-
-TEST(PartsWake, RefusesNullPointers) {
-  const Scene scene;
-  EXPECT_TRUE(refused(abut_parts_wake(nullptr, &scene.part, 1), ABUT_NULL_ARGUMENT, {"universe", "null"}));
-  EXPECT_TRUE(refused(abut_parts_wake(scene.universe, nullptr, 1), ABUT_NULL_ARGUMENT, {"parts", "null"}));
-  EXPECT_TRUE(succeeded(abut_parts_wake(scene.universe, nullptr, 0)));
-}
-
-TEST(PartsWake, RefusesOverflowingCounts) {
-  const Scene scene;
-  expect_overflow_refused(sizeof(abut_part_id), "count",
-                          [&](std::size_t count) { return abut_parts_wake(scene.universe, &scene.part, count); });
-}
-
 TEST(PartsWake, RefusesStaleIdsAndWakesNone) {
   const Scene scene;
   const abut_sleep sleep = sleepy();
@@ -211,20 +166,6 @@ TEST(PartsWake, RefusesStaleIdsAndWakesNone) {
   }
   ASSERT_TRUE(succeeded(abut_universe_step(scene.universe, 0.01)));
   EXPECT_EQ(scene.universe.stats().asleep, 2U);
-}
-
-TEST(UniverseSleepChanges, RefusesNullPointers) {
-  const Scene scene;
-  Out<const abut_sleep_change*> changes;
-  Out<std::size_t> count;
-  EXPECT_TRUE(refused(abut_universe_sleep_changes(nullptr, changes.address(), count.address()), ABUT_NULL_ARGUMENT,
-                      {"universe", "null"}));
-  EXPECT_TRUE(refused(abut_universe_sleep_changes(scene.universe, nullptr, count.address()), ABUT_NULL_ARGUMENT,
-                      {"changes", "null"}));
-  EXPECT_TRUE(refused(abut_universe_sleep_changes(scene.universe, changes.address(), nullptr), ABUT_NULL_ARGUMENT,
-                      {"count", "null"}));
-  EXPECT_TRUE(changes.is_untouched());
-  EXPECT_TRUE(count.is_untouched());
 }
 
 }  // namespace

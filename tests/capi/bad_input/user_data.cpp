@@ -8,30 +8,6 @@ using namespace abut_test;
 
 constexpr std::array<std::uint64_t, 2> values{7, 8};
 
-TEST(PartSetUserData, RefusesNullUniverseAndStaleIds) {
-  const Scene scene;
-  EXPECT_TRUE(refused(abut_part_set_user_data(nullptr, scene.part, 7), ABUT_NULL_ARGUMENT, {"universe", "null"}));
-  for (const abut_part_id stale : scene.stale_parts) {
-    EXPECT_TRUE(refused(abut_part_set_user_data(scene.universe, stale, 7), ABUT_STALE_ID,
-                        {"part", std::to_string(stale.slot)}));
-  }
-  EXPECT_TRUE(scene.is_unchanged());
-}
-
-TEST(PartsSetUserData, RefusesNullPointersAndOverflowingCounts) {
-  const Scene scene;
-  EXPECT_TRUE(refused(abut_parts_set_user_data(nullptr, &scene.part, values.data(), 1), ABUT_NULL_ARGUMENT,
-                      {"universe", "null"}));
-  EXPECT_TRUE(refused(abut_parts_set_user_data(scene.universe, nullptr, values.data(), 1), ABUT_NULL_ARGUMENT,
-                      {"parts", "null"}));
-  EXPECT_TRUE(refused(abut_parts_set_user_data(scene.universe, &scene.part, nullptr, 1), ABUT_NULL_ARGUMENT,
-                      {"user_data", "null"}));
-  expect_overflow_refused(sizeof(abut_part_id), "count", [&](std::size_t count) {
-    return abut_parts_set_user_data(scene.universe, &scene.part, values.data(), count);
-  });
-  EXPECT_TRUE(scene.is_unchanged());
-}
-
 TEST(PartsSetUserData, RefusesStaleIdsAndSetsNone) {
   const Scene scene;
   for (const abut_part_id stale : scene.stale_parts) {
@@ -42,31 +18,6 @@ TEST(PartsSetUserData, RefusesStaleIdsAndSetsNone) {
   std::uint64_t found = 1;
   ASSERT_TRUE(succeeded(abut_part_user_data(scene.universe, scene.part, &found)));
   EXPECT_EQ(found, 0U);
-}
-
-TEST(GeometrySetUserData, RefusesNullUniverseAndStaleIds) {
-  const Scene scene;
-  EXPECT_TRUE(
-      refused(abut_geometry_set_user_data(nullptr, scene.geometry, 7), ABUT_NULL_ARGUMENT, {"universe", "null"}));
-  for (const abut_geometry_id stale : scene.stale_geometries) {
-    EXPECT_TRUE(refused(abut_geometry_set_user_data(scene.universe, stale, 7), ABUT_STALE_ID,
-                        {"geometry", std::to_string(stale.slot)}));
-  }
-  EXPECT_TRUE(scene.is_unchanged());
-}
-
-TEST(GeometriesSetUserData, RefusesNullPointersAndOverflowingCounts) {
-  const Scene scene;
-  EXPECT_TRUE(refused(abut_geometries_set_user_data(nullptr, &scene.geometry, values.data(), 1), ABUT_NULL_ARGUMENT,
-                      {"universe", "null"}));
-  EXPECT_TRUE(refused(abut_geometries_set_user_data(scene.universe, nullptr, values.data(), 1), ABUT_NULL_ARGUMENT,
-                      {"geometries", "null"}));
-  EXPECT_TRUE(refused(abut_geometries_set_user_data(scene.universe, &scene.geometry, nullptr, 1), ABUT_NULL_ARGUMENT,
-                      {"user_data", "null"}));
-  expect_overflow_refused(sizeof(abut_geometry_id), "count", [&](std::size_t count) {
-    return abut_geometries_set_user_data(scene.universe, &scene.geometry, values.data(), count);
-  });
-  EXPECT_TRUE(scene.is_unchanged());
 }
 
 TEST(GeometriesSetUserData, RefusesStaleIdsAndSetsNone) {

@@ -58,16 +58,6 @@ TEST(UvGridCreate, RefusesBadOptions) {
   EXPECT_TRUE(out.is_untouched());
 }
 
-TEST(UvGridCreate, RefusesNullPointers) {
-  Out<abut_shape*> out;
-  EXPECT_TRUE(refused(abut_uv_grid_create(nullptr, 3, triangle.data(), 1, nullptr, out.address()), ABUT_NULL_ARGUMENT,
-                      {"xyz", "null"}));
-  EXPECT_TRUE(refused(abut_uv_grid_create(corners.data(), 3, nullptr, 1, nullptr, out.address()), ABUT_NULL_ARGUMENT,
-                      {"triangles", "null"}));
-  EXPECT_TRUE(refused(create(nullptr, nullptr), ABUT_NULL_ARGUMENT, {"out", "null"}));
-  EXPECT_TRUE(out.is_untouched());
-}
-
 TEST(UvGridCreate, RefusesWhatIsNoMesh) {
   Out<abut_shape*> out;
   EXPECT_TRUE(refused(abut_uv_grid_create(corners.data(), 2, triangle.data(), 1, nullptr, out.address()),
@@ -76,36 +66,6 @@ TEST(UvGridCreate, RefusesWhatIsNoMesh) {
                       {"vertex_count is 0"}));
   EXPECT_TRUE(refused(abut_uv_grid_create(corners.data(), 3, triangle.data(), 0, nullptr, out.address()), ABUT_EMPTY,
                       {"triangle_count is 0"}));
-  EXPECT_TRUE(out.is_untouched());
-}
-
-TEST(UvGridCreate, RefusesNonFiniteVertices) {
-  Out<abut_shape*> out;
-  for (std::size_t place = 0; place < corners.size(); ++place) {
-    auto bad = corners;
-    expect_non_finite_refused("xyz[" + std::to_string(place) + "]", [&](double value) {
-      bad.at(place) = value;
-      return abut_uv_grid_create(bad.data(), 3, triangle.data(), 1, nullptr, out.address());
-    });
-  }
-  EXPECT_TRUE(out.is_untouched());
-}
-
-TEST(UvGridCreate, RefusesOverflowingCounts) {
-  Out<abut_shape*> out;
-  expect_overflow_refused(3 * sizeof(double), "vertex_count", [&](std::size_t count) {
-    return abut_uv_grid_create(corners.data(), count, triangle.data(), 1, nullptr, out.address());
-  });
-  expect_overflow_refused(3 * sizeof(std::uint32_t), "triangle_count", [&](std::size_t count) {
-    return abut_uv_grid_create(corners.data(), 3, triangle.data(), count, nullptr, out.address());
-  });
-  EXPECT_TRUE(out.is_untouched());
-}
-
-TEST(UvGridCreate, RefusesWrongStructSize) {
-  Out<abut_shape*> out;
-  expect_struct_size_checked(good_options(),
-                             [&](const abut_uv_grid_options* wrong) { return create(wrong, out.address()); });
   EXPECT_TRUE(out.is_untouched());
 }
 
