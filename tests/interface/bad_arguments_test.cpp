@@ -160,9 +160,9 @@ class Spoiler {
     for (Value field : its.fields) {
       field.range.may_be_infinite = field.range.may_be_infinite || outer.may_be_infinite;
       field.range.may_be_far = field.range.may_be_far || outer.may_be_far;
-      // A field is named by itself, but vectors and the like as a whole.
-      const bool is_named = its.init != nullptr || its.fields[0].role == Role::structure;
-      Words words = is_named ? Words{std::string(field.name)} : names;
+      // A field of options may be named by itself, vectors and the like as a whole.
+      Words words = its.init != nullptr ? Words{} : names;
+      if (its.init != nullptr || its.fields[0].role == Role::structure) words.emplace_back(field.name);
       const std::size_t at = place + field.offset;
       if (field.name == "struct_size") continue;
       if (field.is_pointer) {
