@@ -457,10 +457,10 @@ enum abut_diagonal_value ABUT_ENUM(uint32_t) {
 typedef uint32_t abut_below;
 enum abut_below_value ABUT_ENUM(uint32_t) {
   ABUT_BELOW_OPEN = 0, /**< nothing: what has fallen through is apart */
-  ABUT_BELOW_SOLID = 1 /**< ground: what has fallen through is pushed up. Ground is below the triangles, and ends
-                            at their border, at holes, and as far below the lowest sample as the longer side of the
-                            field. Only the triangles are its surface: distances from beside the field or from
-                            below are those to the triangles */
+  ABUT_BELOW_SOLID = 1 /**< ground: what has fallen through is pushed up. Ground is below the triangles, down to a
+                            level floor as far below the lowest sample as the longer side of the field. It ends in
+                            vertical walls at the border and around missing samples. Walls and floor are surface
+                            like the triangles, for every query */
 };
 
 /**
@@ -472,7 +472,7 @@ typedef struct abut_height_field_desc {
   uint32_t struct_size;
   abut_diagonal diagonal; /**< default ABUT_DIAGONAL_RISING */
   uint32_t columns;       /**< samples along X, from 2 to 65535 */
-  uint32_t rows;          /**< samples along Y, from 2 to 65535; columns * rows is at most 2^30 */
+  uint32_t rows;          /**< samples along Y, from 2 to 65535; columns * rows is at most 2^30, of a solid 2^29 */
   double spacing_x;       /**< positive */
   double spacing_y;       /**< positive */
   const double *heights;  /**< columns * rows numbers or NaN, X fastest, copied */
@@ -681,7 +681,9 @@ ABUT_API abut_status abut_shape_aabb(const abut_shape *shape, const abut_pose *p
 
 /**
  * Surface of a mesh, height field, hull, box or distance field as triangles in the local frame, by count-then-fill;
- * of a mesh or a height field, triangle i is the feature (ABUT_FEATURE_FACE, i) of ray hits and contacts;
+ * of a mesh or a height field, triangle i is the feature (ABUT_FEATURE_FACE, i) of ray hits and contacts. Removed and
+ * missing triangles have three equal corners. Those of a height field with ABUT_BELOW_SOLID close it: the floors of all
+ * cells follow the triangles, walls of holes take the numbers of missing ones, and walls of the border come last;
  * the faces of boxes and hulls become several triangles each, in order. ABUT_UNSUPPORTED for
  * curved and unbounded shapes, which rays meet exactly through abut_shape_cast_ray.
  * @param xyz        vertex_capacity * 3 numbers
@@ -935,8 +937,7 @@ ABUT_API abut_status abut_pairs_contacts_with_memories(const abut_shape *a, cons
  * - The answer is 1 where abut_pair_distance is at most the margin. Within rounding of that (some 1e-14 of the largest
  *   coordinate; 1e-9 of the size where a cylinder, a cone or an ellipsoid takes part) it may be either; shapes that
  *   touch there mostly count as overlapping.
- * - Surfaces count from both sides, also one-sided ones, and solid surfaces with all that they enclose. A height field
- *   with ABUT_BELOW_SOLID is solid inside its box, sides and floor included.
+ * - Surfaces count from both sides, also one-sided ones, and solid surfaces with all that they enclose.
  * - Swapping a and b never changes the answer.
  * - Composites with holes, lone holes, planes against surfaces, and distance fields near their surface are answered by
  *   the distance, at the cost of that. So are margins below 0 that no radius covers, where the shapes do overlap.

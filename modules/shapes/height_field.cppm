@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Terrain over a regular grid: sample (i, j) is the point (i * spacing_x, j * spacing_y, height).
 // Each cell holds two triangles. One-sided: the front is +Z. A height that is NaN makes a hole: the triangles around it
-// are missing. Cells under a box are found by division. By option what is below is inside, down to a floor.
+// are missing. Cells under a box are found by division. By option what is below is inside, down to a floor: then walls
+// and the floor close the surface (height_field_base.cpp).
 export module abut.shapes.height_field;
 import abut.capability;
 import abut.core.standard;
@@ -11,6 +12,7 @@ import abut.math.four_vec3;
 import abut.trees.box_heights;
 import abut.trees.eight_boxes;
 import abut.trees.range_pyramid;
+import abut.trees.ray_slabs;
 
 export namespace abut {
 
@@ -34,10 +36,10 @@ class HeightField {
 
   [[nodiscard]] Aabb aabb(const Pose& pose) const { return transformed(data_->box, pose); }
 
-  // Triangle 2 c is the one below the diagonal of cell c, 2 c + 1 the one above; cells run along X first.
+  // Triangle 2 c is the one below the diagonal of cell c, 2 c + 1 the one above; cells run along X first. Those of
+  // walls and floors come after all of the grid, or take the numbers of triangles that are missing.
   [[nodiscard]] inline TriangleCorners corners(std::uint32_t index) const {
-    const std::uint32_t cell = index / 2, i = cell % (data_->columns - 1), j = cell / (data_->columns - 1);
-    return cell_of(i, j).triangle(index % 2 != 0);
+    return data_->is_solid ? corners_in_solid(index) : corners_in_grid(index);
   }
   [[nodiscard]] inline Triangle part(std::uint32_t index) const { return {corners(index), index, true}; }
   [[nodiscard]] static inline bool has_fronts() { return true; }
@@ -69,12 +71,23 @@ class HeightField {
       }
     };
     field.ranges.visit_over(cells_under(box), box, visit_row);
+    if (field.is_solid && reaches_base(box)) {
+      const auto take = [&](const FourTriangles& triangles, std::uint64_t some) {
+        std::uint64_t wanted = wanted_of(triangles, some & triangles.overlapping(box), is_wanted);
+        for (; wanted != 0; wanted &= wanted - 1) {
+          const auto lane = static_cast<std::size_t>(std::countr_zero(wanted));
+          visit(Triangle(triangles[lane], triangles.numbers[lane], true), triangles.numbers[lane]);
+        }
+      };
+      // What holds one reference is passed on without memory of its own.
+      visit_base(box, [&take](const FourTriangles& triangles, std::uint64_t some) { take(triangles, some); });
+    }
   }
   template <class Visitor>
   void visit_parts(Aabb& box, Visitor&& visit) const {
     visit_parts(box, AcceptsAnyCorners{}, visit);
   }
-  // With those that are missing.
+  // Of the grid, with those that are missing.
   [[nodiscard]] std::size_t triangle_count() const {
     return 2 * (std::size_t{data_->columns} - 1) * (std::size_t{data_->rows} - 1);
   }
@@ -93,49 +106,37 @@ class HeightField {
                                     }
                                   }
                                 });
+    if (field.is_solid) {
+      visit_base_below(direction, limit, [&visit](const Triangle& part) { visit(part, part.index()); });
+    }
   }
+  // Of the grid.
   [[nodiscard]] Triangle part_near(const Vec3& p) const;
 
-  // See Hierarchy: blocks of cells and the triangles in them.
+  // See Hierarchy: blocks of cells and the triangles in them. Walls and floors have a tree of their own below the root.
+  // So what is deep in the ground is compared with the boxes of the ground alone.
   [[nodiscard]] Vec3 origin() const { return data_->box.centre(); }
   template <class Visitor>
   void visit_children(std::uint32_t node, Visitor&& visit) const {
-    const Data& field = *data_;
+    [[clang::uninitialized]] Children children;
+    find_children(node, children);
     const Vec3 middle = origin();
-    EightBoxes eight = EightBoxes::empty();
-    std::size_t count = 0;
-    const auto add = [&](std::uint32_t number, const Aabb& box) {
-      eight.set_sides(count, sides_of(compact(box, middle)));
-      eight.numbers[count++] = number;
-      if (count == EightBoxes::width) {
-        visit(eight);
-        eight = EightBoxes::empty();
-        count = 0;
+    for (std::size_t first = 0; first < children.size(); first += EightBoxes::width) {
+      EightBoxes eight = EightBoxes::empty();
+      for (std::size_t lane = 0; lane < std::min(EightBoxes::width, children.size() - first); ++lane) {
+        eight.set_sides(lane, sides_of(compact(children[first + lane].box, middle)));
+        eight.numbers[lane] = children[first + lane].number;
       }
-    };
-    field.ranges.visit_in_block(
-        node, {field.spacing_x, field.spacing_y}, add, [&](const RangePyramid::Rectangle& cells) {
-          for (std::uint32_t j = cells.row; j < cells.row + cells.rows; ++j) {
-            for (std::uint32_t i = cells.column; i < cells.column + cells.columns; ++i) {
-              const Cell cell = cell_of(i, j);
-              for (const bool is_upper : {false, true}) {
-                if (const TriangleCorners of_part = cell.triangle(is_upper); is_there(of_part)) {
-                  add(number_of(i, j, is_upper) | EightBoxes::item_bit, box_around(of_part));
-                }
-              }
-            }
-          }
-        });
-    if (count > 0) {
       visit(eight);
     }
   }
 
   [[nodiscard]] std::optional<RayHit> cast_ray(const Vec3& origin, const UnitVec3& direction, Real max_distance) const;
-  // A triangle that is missing has three equal corners, so that the others keep their numbers.
+  // A triangle that is missing has three equal corners, so that the others keep their numbers. Of a solid with its
+  // base.
   [[nodiscard]] Triangles triangles() const;
 
-  // See Enclosing. The floor is as far below the lowest sample as the field is long.
+  // See Enclosing. The floor is as far below the lowest sample as the longer side of the field.
   [[nodiscard]] inline bool is_solid() const { return data_->is_solid; }
   [[nodiscard]] bool contains(const Vec3& point) const;
   [[nodiscard]] inline bool is_turned(std::uint32_t) const { return false; }
@@ -227,6 +228,26 @@ class HeightField {
     }
   };
 
+  // Of walls and floors: a sample, or the point of the floor below it.
+  struct BaseCorner {
+    Sample at;
+    bool is_on_floor;
+  };
+  using BaseTriangle = std::array<BaseCorner, 3>;
+  // An edge with a triangle on its left, seen from above, and none on its right.
+  struct Rim {
+    Sample from, to;
+  };
+  using TakeFour = std::function<void(const FourTriangles&, std::uint64_t)>;
+  // As many as a node has at most: 16 cells with two walls in place of each triangle, and with edges of the border.
+  struct Child {
+    std::uint32_t number;
+    Aabb box;
+  };
+  using Children = SmallVector<Child, 96>;
+  using TakePart = std::function<void(const Triangle&)>;
+  using MeetTriangle = std::function<void(const TriangleCorners&, std::uint32_t)>;
+
   explicit HeightField(Data data) : data_(std::move(data)) {}
   [[nodiscard]] inline Real height(std::uint32_t i, std::uint32_t j) const {
     return data_->heights[std::size_t{j} * data_->columns + i];
@@ -286,6 +307,10 @@ class HeightField {
   [[nodiscard]] inline std::uint32_t number_of(std::uint32_t i, std::uint32_t j, bool is_upper) const {
     return 2 * (j * (data_->columns - 1) + i) + (is_upper ? 1 : 0);
   }
+  [[nodiscard]] inline TriangleCorners corners_in_grid(std::uint32_t index) const {
+    const std::uint32_t cell = index / 2, i = cell % (data_->columns - 1), j = cell / (data_->columns - 1);
+    return cell_of(i, j).triangle(index % 2 != 0);
+  }
   // A triangle with a sample that is NaN is missing.
   [[nodiscard]] static inline bool is_there(const TriangleCorners& corners) {
     return !std::isnan(corners[0].z + corners[1].z + corners[2].z);
@@ -320,6 +345,38 @@ class HeightField {
                         j1 = cell_at(box.high.y / field.spacing_y, field.rows);
     return {i0, j0, i1 - i0 + 1, j1 - j0 + 1};
   }
+
+  [[nodiscard]] inline bool lacks_triangles() const { return data_->triangle_count < triangle_count(); }
+  // Of a box that overlaps that of the field.
+  [[nodiscard]] inline bool reaches_base(const Aabb& box) const {
+    const Vec3 &low = data_->box.low, &high = data_->box.high;
+    return box.low.z <= low.z || box.low.x <= low.x || box.low.y <= low.y || box.high.x >= high.x ||
+           box.high.y >= high.y || lacks_triangles();
+  }
+  void find_children(std::uint32_t node, Children& out) const;
+  // Of a solid.
+  [[nodiscard]] TriangleCorners corners_in_solid(std::uint32_t index) const;
+  [[nodiscard]] bool is_at_base(std::uint32_t index) const;
+  [[nodiscard]] bool is_crest_of_solid(std::uint32_t index, unsigned corners, const Vec3& direction, Real height) const;
+  void visit_base(const Aabb& box, const TakeFour& take) const;
+  void visit_base_below(const Vec3& direction, Real& limit, const TakePart& take) const;
+  void find_base_children(std::uint32_t node, Children& out) const;
+  [[nodiscard]] RangePyramid::Range base_range(const RangePyramid::Block& block) const;
+  void meet_base(const RaySlabs& slabs, const RaySlabs::Stretch& over_box, const Real& nearest,
+                 const MeetTriangle& meet) const;
+  void close(Triangles& out) const;
+  // Walls and floors of a cell: visit(triangle, number).
+  template <class Visitor>
+  void visit_base_at(std::uint32_t i, std::uint32_t j, Visitor&& visit) const;
+  template <class Visitor>
+  void visit_edges_from(const Sample& from, Visitor&& visit) const;
+  [[nodiscard]] std::optional<BaseTriangle> base_triangle(std::uint32_t number) const;
+  [[nodiscard]] std::optional<Rim> rim_at_gap(std::uint32_t i, std::uint32_t j, bool is_upper) const;
+  [[nodiscard]] std::optional<Rim> rim_at_border(std::uint32_t edge) const;
+  [[nodiscard]] static BaseTriangle wall_of(const Rim& rim, bool is_second);
+  [[nodiscard]] unsigned triangles_at(const Sample& one, const Sample& other) const;
+  [[nodiscard]] Vec3 point(const BaseCorner& corner) const;
+  [[nodiscard]] TriangleCorners corners_of(const BaseTriangle& triangle) const;
 
   Frozen<Data> data_;
 };

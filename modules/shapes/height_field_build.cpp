@@ -76,7 +76,8 @@ Result<HeightField> HeightField::make(std::span<const Real> parameters, std::spa
     return error_about(Errc::unknown_value, "solid_below", below, "0 (open) or 1 (solid)");
   }
   const auto columns = static_cast<std::uint32_t>(parameters[0]), rows = static_cast<std::uint32_t>(parameters[1]);
-  constexpr std::uint64_t most_samples = std::uint64_t{1} << 30;  // two triangles of each cell have a number
+  // Two triangles of each cell have a number, and so have as many of the base.
+  const std::uint64_t most_samples = std::uint64_t{1} << (below == 1 ? 29 : 30);
   if (const std::uint64_t samples = std::uint64_t{columns} * rows; samples > most_samples) {
     return error_about(Errc::size_overflow, "columns * rows", samples, "at most " + std::to_string(most_samples));
   }

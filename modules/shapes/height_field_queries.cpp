@@ -3,6 +3,8 @@ module abut.shapes.height_field;
 import abut.capability;
 import abut.core.standard;
 import abut.math;
+import abut.trees.eight_boxes;
+import abut.trees.range_pyramid;
 import abut.trees.ray_slabs;
 
 namespace abut {
@@ -10,6 +12,9 @@ namespace abut {
 // Of the triangles around a sample, or at the edge between two, those that are there: no comparison with NaN holds.
 bool HeightField::is_crest(std::uint32_t index, unsigned corners, const Vec3& direction, Real height) const {
   const Data& field = *data_;
+  if (field.is_solid && is_at_base(index)) {
+    return is_crest_of_solid(index, corners, direction, height);
+  }
   const std::uint32_t cell = index / 2;
   const auto own = samples_of(cell % (field.columns - 1), cell / (field.columns - 1), index % 2 != 0);
   const unsigned others = corners & (corners - 1);
@@ -73,6 +78,33 @@ std::array<std::optional<HeightField::Sample>, 2> HeightField::samples_across(co
   return across;
 }
 
+void HeightField::find_children(std::uint32_t node, Children& out) const {
+  const Data& field = *data_;
+  const std::uint32_t count = field.ranges.node_count();
+  if (node >= count) {
+    find_base_children(node - count, out);
+    return;
+  }
+  if (node == 0 && field.is_solid) {
+    out.push_back({count, field.box});
+  }
+  field.ranges.visit_in_block(
+      node, {field.spacing_x, field.spacing_y},
+      [&](std::uint32_t number, const Aabb& box) { out.push_back({number, box}); },
+      [&](const RangePyramid::Rectangle& cells) {
+        for (std::uint32_t j = cells.row; j < cells.row + cells.rows; ++j) {
+          for (std::uint32_t i = cells.column; i < cells.column + cells.columns; ++i) {
+            const Cell cell = cell_of(i, j);
+            for (const bool is_upper : {false, true}) {
+              if (const TriangleCorners of_part = cell.triangle(is_upper); is_there(of_part)) {
+                out.push_back({number_of(i, j, is_upper) | EightBoxes::item_bit, box_around(of_part)});
+              }
+            }
+          }
+        }
+      });
+}
+
 // The one of the cell below or above the point, or the nearest one that is there.
 Triangle HeightField::part_near(const Vec3& p) const {
   const Data& field = *data_;
@@ -129,6 +161,18 @@ std::optional<RayHit> HeightField::cast_ray(const Vec3& origin, const UnitVec3& 
     }
   };
   field.ranges.visit_ray(slabs, over_box, {field.spacing_x, field.spacing_y}, nearest, meet_cell);
+  // Without holes walls and floors lie in the sides of the box: a way meets none where both of its ends lie off these.
+  const RaySlabs::Stretch way = over_box.until(nearest);
+  const auto is_at_base = [&](Real length) {
+    constexpr Real slack_share = 1e-9;
+    const Vec3 point = origin + length * direction;
+    const Vec3 size = maximum(maximum(absolute(field.box.low), absolute(field.box.high)), absolute(origin));
+    return reaches_base(Aabb{point, point}.inflated(slack_share * largest_magnitude(size)));
+  };
+  if (field.is_solid && !way.is_empty() && (is_at_base(way.enter) || is_at_base(way.leave))) {
+    meet_base(slabs, over_box, nearest,
+              [&meet](const TriangleCorners& corners, std::uint32_t index) { meet(corners, index); });
+  }
   return hit == no_index ? std::nullopt : std::optional(RayHit{nearest, part(hit).normal(), {FeatureKind::face, hit}});
 }
 
@@ -159,6 +203,10 @@ Triangles HeightField::triangles() const {
       const Vec3 sample = point(i, j);
       out.vertices.push_back(std::isnan(sample.z) ? Vec3{sample.x, sample.y, field.box.low.z} : sample);
     }
+  }
+  if (field.is_solid) {
+    close(out);
+    return out;
   }
   for (std::uint32_t j = 0; j + 1 < field.rows; ++j) {
     for (std::uint32_t i = 0; i + 1 < field.columns; ++i) {

@@ -42,7 +42,8 @@ RangePyramid::RangePyramid(std::span<const Real> values, std::uint32_t columns)
   do {
     wide = (wide + side - 1) / side;
     high = (high + side - 1) / side;
-    levels_.push_back({wide, high, std::vector<Range>(std::size_t{wide} * high)});
+    const std::size_t blocks = std::size_t{wide} * high;
+    levels_.push_back({wide, high, std::vector<Range>(blocks), std::vector<bool>(blocks)});
   } while (wide > 1 || high > 1);
   update(values, {0, 0, columns_, rows_});
 }
@@ -51,16 +52,25 @@ void RangePyramid::update_level(std::span<const Real> values, std::size_t number
   Level& level = levels_[number];
   for (std::uint32_t row = blocks.row; row < blocks.row + blocks.rows; ++row) {
     for (std::uint32_t column = blocks.column; column < blocks.column + blocks.columns; ++column) {
-      Range& range = level.ranges[std::size_t{row} * level.columns + column];
-      Rectangle its = elements_of(number, column, row);
+      const std::size_t place_of_block = std::size_t{row} * level.columns + column;
+      Range& range = level.ranges[place_of_block];
+      Rectangle its = elements_of({number, column, row});
+      bool lacks = false;
       if (number == 0) {
         its.columns = std::min(its.columns + 1, columns_ - its.column);
         its.rows = std::min(its.rows + 1, rows_ - its.row);
-        range = range_over(its, columns_, [&](std::size_t place) { return Range{values[place], values[place]}; });
+        range = range_over(its, columns_, [&](std::size_t place) {
+          lacks = lacks || std::isnan(values[place]);
+          return Range{values[place], values[place]};
+        });
       } else {
         const Level& below = levels_[number - 1];
-        range = range_over(its, below.columns, [&](std::size_t place) { return below.ranges[place]; });
+        range = range_over(its, below.columns, [&](std::size_t place) {
+          lacks = lacks || below.lacks[place];
+          return below.ranges[place];
+        });
       }
+      level.lacks[place_of_block] = lacks;
     }
   }
 }

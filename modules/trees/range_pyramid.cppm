@@ -22,22 +22,46 @@ class RangePyramid {
   struct Rectangle {
     std::uint32_t column, row, columns, rows;
   };
+  // A block of a level: of 4 x 4 cells on level 0, of 4 x 4 blocks of the level below on all others.
+  struct Block {
+    std::size_t level;
+    std::uint32_t column, row;
+  };
 
   // At least one height; `columns` of them in each row. The range of no heights is from infinity to minus infinity.
   RangePyramid(std::span<const Real> values, std::uint32_t columns);
 
   [[nodiscard]] const Range& whole() const [[clang::lifetimebound]] { return levels_.back().ranges.front(); }
+  [[nodiscard]] const Range& range_of(const Block& block) const [[clang::lifetimebound]] {
+    return levels_[block.level].ranges[place_of(block)];
+  }
+  // Whether a sample of its cells is NaN.
+  [[nodiscard]] bool lacks_any(const Block& block) const { return levels_[block.level].lacks[place_of(block)]; }
+  [[nodiscard]] bool is_at_border(const Block& block) const {
+    const Level& level = levels_[block.level];
+    return block.column == 0 || block.row == 0 || block.column == level.columns - 1 || block.row == level.rows - 1;
+  }
+  // How many blocks there are on all levels.
+  [[nodiscard]] std::uint32_t node_count() const {
+    std::size_t count = 0;
+    for (const Level& level : levels_) {
+      count += level.ranges.size();
+    }
+    return static_cast<std::uint32_t>(count);
+  }
 
   // After heights of a rectangle have changed. O(heights of the rectangle + log(all heights)).
   void update(std::span<const Real> values, const Rectangle& changed);
+
+  // Visits take heights of blocks from range_of(block), where their own are not meant.
 
   // Calls visit(column, row, stretch) for the cells that a ray passes over within `limit`, which visit may lower.
   // Cells are left out where the blocks around them are lower or higher than the ray. `stretch`: the part of the ray
   // over the cell. No cell comes after one that lies behind it. The ray reaches over the grid on a stretch that ends,
   // `whole`.
-  template <class Visitor>
+  template <class Visitor, class RangeOf>
   void visit_ray(const RaySlabs& ray, const RaySlabs::Stretch& whole, const Spacing& spacing, const Real& limit,
-                 Visitor&& visit) const {
+                 Visitor&& visit, const RangeOf& range_of) const {
     if (whole.is_empty()) {
       return;
     }
@@ -47,34 +71,45 @@ class RangePyramid {
     while (passed.columns > side || passed.rows > side) {
       passed = passed_elements(++level, whole, ray, spacing);
     }
-    descend(level, passed, whole, ray, spacing, limit, visit);
+    descend(level, passed, whole, ray, spacing, limit, visit, range_of);
+  }
+  template <class Visitor>
+  void visit_ray(const RaySlabs& ray, const RaySlabs::Stretch& whole, const Spacing& spacing, const Real& limit,
+                 Visitor&& visit) const {
+    visit_ray(ray, whole, spacing, limit, visit,
+              [this](const Block& block) -> const Range& { return range_of(block); });
   }
 
   // Calls visit(column, count, row) for the cells of a rectangle, for each row of a block at once. Cells are left out
   // where the blocks around them lie above or below a box, which visit may shrink.
-  template <class Visitor>
-  void visit_over(const Rectangle& cells, const Aabb& box, Visitor&& visit) const {
+  template <class Visitor, class RangeOf>
+  void visit_over(const Rectangle& cells, const Aabb& box, Visitor&& visit, const RangeOf& range_of) const {
     const std::size_t level = level_over(cells);
     descend_over(
         level, all_elements(level), cells,
-        [&](std::size_t number, std::uint32_t column, std::uint32_t row) {
-          const Range& range = levels_[number].ranges[std::size_t{row} * levels_[number].columns + column];
+        [&](const Block& block) {
+          const Range& range = range_of(block);
           return range.low <= box.high.z && range.high >= box.low.z;
         },
         visit);
   }
+  template <class Visitor>
+  void visit_over(const Rectangle& cells, const Aabb& box, Visitor&& visit) const {
+    visit_over(cells, box, visit, [this](const Block& block) -> const Range& { return range_of(block); });
+  }
 
   // The blocks as nodes of a tree; node 0 is the block of all cells. Calls visit(node, box) for the blocks that a block
   // is made of, or visit_cells(rectangle) where these are cells.
-  template <class Visitor, class CellsVisitor>
-  void visit_in_block(std::uint32_t node, const Spacing& spacing, Visitor&& visit, CellsVisitor&& visit_cells) const {
+  template <class Visitor, class CellsVisitor, class RangeOf>
+  void visit_in_block(std::uint32_t node, const Spacing& spacing, Visitor&& visit, CellsVisitor&& visit_cells,
+                      const RangeOf& range_of) const {
     std::size_t number = levels_.size() - 1;
     std::uint32_t first = 0;  // node of the level
     for (; node - first >= levels_[number].ranges.size(); --number) {
       first += static_cast<std::uint32_t>(levels_[number].ranges.size());
     }
     const Level& level = levels_[number];
-    const Rectangle its = elements_of(number, (node - first) % level.columns, (node - first) / level.columns);
+    const Rectangle its = elements_of({number, (node - first) % level.columns, (node - first) / level.columns});
     if (number == 0) {
       visit_cells(its);
       return;
@@ -82,20 +117,31 @@ class RangePyramid {
     first += static_cast<std::uint32_t>(level.ranges.size());
     for (std::uint32_t j = its.row; j < its.row + its.rows; ++j) {
       for (std::uint32_t i = its.column; i < its.column + its.columns; ++i) {
-        const std::uint32_t place = j * levels_[number - 1].columns + i;
-        const Range& range = levels_[number - 1].ranges[place];
+        const Block block{number - 1, i, j};
+        const Range& range = range_of(block);
         if (range.low <= range.high) {
-          visit(first + place, box_of(number - 1, i, j, range, spacing));
+          visit(first + static_cast<std::uint32_t>(place_of(block)), box_of(block, range, spacing));
         }
       }
     }
   }
+  template <class Visitor, class CellsVisitor>
+  void visit_in_block(std::uint32_t node, const Spacing& spacing, Visitor&& visit, CellsVisitor&& visit_cells) const {
+    visit_in_block(node, spacing, visit, visit_cells,
+                   [this](const Block& block) -> const Range& { return range_of(block); });
+  }
 
   // Calls visit(column, row) for cells in blocks of which `measure` of their box is at most `limit`, which visit may
   // lower. Blocks of less measure come first.
+  template <class Measure, class Visitor, class RangeOf>
+  void visit_in_order(const Spacing& spacing, const Real& limit, const Measure& measure, Visitor&& visit,
+                      const RangeOf& range_of) const {
+    visit_block({levels_.size() - 1, 0, 0}, spacing, limit, measure, visit, range_of);
+  }
   template <class Measure, class Visitor>
   void visit_in_order(const Spacing& spacing, const Real& limit, const Measure& measure, Visitor&& visit) const {
-    visit_block(levels_.size() - 1, 0, 0, spacing, limit, measure, visit);
+    visit_in_order(spacing, limit, measure, visit,
+                   [this](const Block& block) -> const Range& { return range_of(block); });
   }
 
  private:
@@ -103,7 +149,11 @@ class RangePyramid {
   struct Level {
     std::uint32_t columns, rows;
     std::vector<Range> ranges;
+    std::vector<bool> lacks;  // for each block
   };
+  [[nodiscard]] std::size_t place_of(const Block& block) const {
+    return std::size_t{block.row} * levels_[block.level].columns + block.column;
+  }
 
   // The elements that a stretch of a ray may pass over: blocks of a level below `level`, or cells for 0.
   [[nodiscard]] Rectangle passed_elements(std::size_t level, const RaySlabs::Stretch& over, const RaySlabs& ray,
@@ -115,9 +165,9 @@ class RangePyramid {
     return {columns.first, rows.first, columns.last - columns.first + 1, rows.last - rows.first + 1};
   }
   // The elements of a rectangle that a stretch of a ray meets: blocks of a level below `level`, or cells for 0.
-  template <class Visitor>
+  template <class Visitor, class RangeOf>
   void descend(std::size_t level, const Rectangle& within, const RaySlabs::Stretch& before, const RaySlabs& ray,
-               const Spacing& spacing, const Real& limit, Visitor&& visit) const {
+               const Spacing& spacing, const Real& limit, Visitor&& visit, const RangeOf& range_of) const {
     const Real cells = static_cast<Real>(std::uint64_t{1} << (2 * level));  // along a side of an element
     const Real width = cells * spacing.x, height = cells * spacing.y;
     const RaySlabs::Range rows = ray.passed(1, before, height, {within.row, within.row + within.rows - 1});
@@ -139,10 +189,11 @@ class RangePyramid {
           visit(column, row, over);
           continue;
         }
-        const Range& range = levels_[level - 1].ranges[std::size_t{row} * levels_[level - 1].columns + column];
+        const Block block{level - 1, column, row};
+        const Range& range = range_of(block);
         const RaySlabs::Stretch met = ray.within(2, range.low, range.high, over);
         if (!met.is_empty()) {
-          descend(level - 1, elements_of(level - 1, column, row), met, ray, spacing, limit, visit);
+          descend(level - 1, elements_of(block), met, ray, spacing, limit, visit, range_of);
         }
       }
     }
@@ -157,7 +208,7 @@ class RangePyramid {
     return std::min(level, levels_.size());
   }
   // The elements of `within` that hold cells of a rectangle: blocks of a level below `level`, or cells for 0, row by
-  // row. Of blocks, those that are entered: enters(level, column, row).
+  // row. Of blocks, those that are entered: enters(block).
   template <class Enters, class Visitor>
   void descend_over(std::size_t level, const Rectangle& within, const Rectangle& cells, const Enters& enters,
                     Visitor&& visit) const {
@@ -172,31 +223,32 @@ class RangePyramid {
         continue;
       }
       for (; column <= last_column; ++column) {
-        if (enters(level - 1, column, row)) {
-          descend_over(level - 1, elements_of(level - 1, column, row), cells, enters, visit);
+        if (const Block block{level - 1, column, row}; enters(block)) {
+          descend_over(level - 1, elements_of(block), cells, enters, visit);
         }
       }
     }
   }
-  // As visit_in_order, of a block of level `number`.
-  template <class Measure, class Visitor>
-  void visit_block(std::size_t number, std::uint32_t column, std::uint32_t row, const Spacing& spacing,
-                   const Real& limit, const Measure& measure, Visitor&& visit) const {
+  // As visit_in_order, of a block.
+  template <class Measure, class Visitor, class RangeOf>
+  void visit_block(const Block& block, const Spacing& spacing, const Real& limit, const Measure& measure,
+                   Visitor&& visit, const RangeOf& range_of) const {
     struct Next {
       Real measure;
       std::uint32_t column, row;
     };
     [[clang::uninitialized]] SmallVector<Next, std::size_t{side} * side> order;
-    const Rectangle its = elements_of(number, column, row);
+    const Rectangle its = elements_of(block);
     for (std::uint32_t j = its.row; j < its.row + its.rows; ++j) {
       for (std::uint32_t i = its.column; i < its.column + its.columns; ++i) {
-        if (number == 0) {
+        if (block.level == 0) {
           visit(i, j);
           continue;
         }
-        const Range& range = levels_[number - 1].ranges[std::size_t{j} * levels_[number - 1].columns + i];
+        const Block next{block.level - 1, i, j};
+        const Range& range = range_of(next);
         if (range.low <= range.high) {
-          order.push_back({measure(box_of(number - 1, i, j, range, spacing)), i, j});
+          order.push_back({measure(box_of(next, range, spacing)), i, j});
         }
       }
     }
@@ -205,25 +257,25 @@ class RangePyramid {
     });
     for (const Next& next : order.span()) {
       if (next.measure <= limit) {
-        visit_block(number - 1, next.column, next.row, spacing, limit, measure, visit);
+        visit_block({block.level - 1, next.column, next.row}, spacing, limit, measure, visit, range_of);
       }
     }
   }
-  // Around a block of a level, of which the range is known.
-  [[nodiscard]] Aabb box_of(std::size_t number, std::uint32_t column, std::uint32_t row, const Range& range,
-                            const Spacing& spacing) const {
-    const std::uint64_t cells = std::uint64_t{1} << (2 * (number + 1));
-    const auto at = [&](std::uint64_t block, std::uint32_t samples) {
-      return static_cast<Real>(std::min<std::uint64_t>(block * cells, cells_along(samples)));
+  // Around a block of which the range is known.
+  [[nodiscard]] Aabb box_of(const Block& block, const Range& range, const Spacing& spacing) const {
+    const std::uint64_t cells = std::uint64_t{1} << (2 * (block.level + 1));
+    const auto at = [&](std::uint64_t place, std::uint32_t samples) {
+      return static_cast<Real>(std::min<std::uint64_t>(place * cells, cells_along(samples)));
     };
+    const std::uint64_t column = block.column, row = block.row;
     return {{at(column, columns_) * spacing.x, at(row, rows_) * spacing.y, range.low},
             {at(column + 1, columns_) * spacing.x, at(row + 1, rows_) * spacing.y, range.high}};
   }
-  // Those that a block is made of: blocks of a level below `level`, or cells for 0.
-  [[nodiscard]] Rectangle elements_of(std::size_t level, std::uint32_t column, std::uint32_t row) const {
-    const Rectangle all = all_elements(level);
-    return {side * column, side * row, std::min(side, all.columns - side * column),
-            std::min(side, all.rows - side * row)};
+  // Those that a block is made of: blocks of the level below, or cells.
+  [[nodiscard]] Rectangle elements_of(const Block& block) const {
+    const Rectangle all = all_elements(block.level);
+    const std::uint32_t column = side * block.column, row = side * block.row;
+    return {column, row, std::min(side, all.columns - column), std::min(side, all.rows - row)};
   }
   [[nodiscard]] Rectangle all_elements(std::size_t level) const {
     return level == 0 ? Rectangle{0, 0, cells_along(columns_), cells_along(rows_)}

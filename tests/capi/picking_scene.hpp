@@ -46,7 +46,7 @@ inline Shape composite(std::span<const Shape* const> children, std::span<const a
       [&](abut_shape** out) { return abut_composite_create(pointers.data(), poses.data(), pointers.size(), out); });
 }
 
-inline Shape height_field(std::uint32_t samples, double spacing, double wave) {
+inline Shape height_field(std::uint32_t samples, double spacing, double wave, abut_below below = ABUT_BELOW_OPEN) {
   std::vector<double> heights;
   for (std::uint32_t j = 0; j < samples; ++j) {
     for (std::uint32_t i = 0; i < samples; ++i) heights.push_back(wave * std::sin(1.7 * i) * std::cos(0.9 * j));
@@ -56,6 +56,8 @@ inline Shape height_field(std::uint32_t samples, double spacing, double wave) {
   desc.columns = desc.rows = samples;
   desc.spacing_x = desc.spacing_y = spacing;
   desc.heights = heights.data();
+  desc.below = below;
+  if (below == ABUT_BELOW_SOLID) heights[samples + 1] = heights[samples / 2] = std::nan("");
   return shape_from([&](abut_shape** out) { return abut_height_field_create(&desc, out); });
 }
 
@@ -130,6 +132,7 @@ inline std::vector<Shape> shapes_of_every_kind(Random& random) {
   shapes.push_back(ground_mesh(1, 6, 0.3));
   shapes.push_back(mesh({-1, -1, 0, 1, -1, 0, 0, 1, 0.3}, {0, 1, 2}));
   shapes.push_back(height_field(8, 0.3, 0.2));
+  shapes.push_back(height_field(6, 0.2, 0.2, ABUT_BELOW_SOLID));
   shapes.push_back(shape_of_kind("point", {}));
   shapes.push_back(shape_of_kind("segment", std::array{0.8}));
   shapes.push_back(shape_of_kind("triangle", std::array{-1.0, -1.0, 0.0, 1.0, -1.0, 0.2, 0.0, 1.0, 0.0}));
@@ -145,7 +148,7 @@ inline std::vector<Shape> shapes_of_every_kind(Random& random) {
   const abut_pose above{{-0.3, 0.1, 0.9}, random.turn()};
   shapes.push_back(composite(std::array{&shapes[0], &shapes[1], &shapes[7]}, std::array{here, aside, above}));
   shapes.push_back(
-      composite(std::array<const Shape*, 3>{&shapes[1], &drill, &shapes[14]}, std::array{here, here, above}));
+      composite(std::array<const Shape*, 3>{&shapes[1], &drill, &shapes[15]}, std::array{here, here, above}));
   return shapes;
 }
 

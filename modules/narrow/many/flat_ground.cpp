@@ -82,11 +82,9 @@ Vec3 point_in(const GroundSlab& slab, const Extremes& extremes) {
   return inside + (middle - dot(slab.normal, inside)) * slab.normal;
 }
 
-// Of a solid without a triangle in a box, but for flat ground that parts two points in it: whether it fills one side.
-bool fills_below(const TriangleSource& surface, const Vec3& below, const Vec3& above, const Aabb& box) {
-  // The floor of a terrain has no triangles.
-  return surface.is_terrain() ? surface.box().low.z < box.low.z && surface.contains(below)
-                              : surface.contains(below) && !surface.contains(above);
+// Of a solid: whether it fills one side of flat ground that parts two points.
+bool fills_below(const TriangleSource& surface, const Vec3& below, const Vec3& above) {
+  return surface.contains(below) && !surface.contains(above);
 }
 
 }  // namespace
@@ -133,8 +131,8 @@ std::optional<FlatGround> flat_ground(const TriangleSource& surface, const Groun
   }
   const Vec3 &n = slab->normal, point = point_in(*slab, extremes);
   const std::optional<std::uint32_t> triangle = patch.triangle_at(point, std::max(step / 64, 8 * noise));
-  if (!triangle || (sides == StoppingSides::solid &&
-                    !fills_below(surface, point - 0.5 * step * n, point + 0.5 * step * n, body.box.inflated(grown)))) {
+  if (!triangle ||
+      (sides == StoppingSides::solid && !fills_below(surface, point - 0.5 * step * n, point + 0.5 * step * n))) {
     return std::nullopt;
   }
   return FlatGround(front ? n : -n, front ? slab->high : -slab->low, slab->high - slab->low, noise, *triangle);

@@ -6,6 +6,7 @@ import abut.core.standard;
 import abut.core;
 import abut.math;
 import abut.math.four_vec3;
+import abut.math.tolerance;
 import abut.narrow.convex;
 import abut.narrow.many.leaving;
 import abut.narrow.many.leaving_four;
@@ -390,23 +391,23 @@ class SurfaceSearch : public NearTriangles<B>, private Obstacles {
       return false;
     }
     const auto way = surface_.way_to_surface(*place, direction);
-    const std::optional<NearPlace> at = way ? near_place(way->part, *place + way->length * direction) : std::nullopt;
-    if (!at) {
+    // What is further off is not looked at: the floor of a field may be as far as its border.
+    const std::optional<NearPlace> at =
+        way && further + way->length < enough ? near_place(way->part, *place + way->length * direction) : std::nullopt;
+    if (at) {
+      static_cast<void>(exit.note({way->normal, further + way->length, *at}, tie()));
+    } else {
       exit.stop({direction, infinity, {}});
       exit.touches.clear();
-      return true;
-    }
-    const SurfaceTouch touch{way->normal, further + way->length, *at};
-    if (touch.length >= enough) {
-      exit.stop(touch);
-    } else {
-      static_cast<void>(exit.note(touch, tie()));
     }
     return true;
   }
   // Where a triangle that has a point is kept.
   [[nodiscard]] std::optional<NearPlace> near_place(std::uint32_t number, const Vec3& point) {
-    this->cover({point, point});
+    // The point is off the triangle by rounding, and a triangle along two axes has a box without width.
+    const Aabb its = surface_.part(number).box();
+    const Vec3 furthest = maximum(maximum(absolute(its.low), absolute(its.high)), absolute(point));
+    this->cover(Aabb{point, point}.inflated(noise_of(largest_magnitude(furthest))));
     for (std::size_t i = 0; i < fours_.size(); ++i) {
       for (std::uint64_t left = fours_[i].present; left != 0; left &= left - 1) {
         const auto lane = static_cast<std::size_t>(std::countr_zero(left));

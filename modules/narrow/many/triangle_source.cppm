@@ -46,8 +46,7 @@ class TriangleSource {
   // Of four triangles a bit for each that holds what is behind it as well: of a solid all do.
   [[nodiscard]] virtual std::uint64_t holding(const FourTriangles& four) const = 0;
   [[nodiscard]] virtual StoppingSides sides() const = 0;
-  // Triangles of a terrain share the corners where they meet; others may have cracks and T-junctions. It ends at the
-  // sides and at the bottom of its box, where it has none.
+  // Triangles of a terrain share the corners where they meet; others may have cracks and T-junctions.
   [[nodiscard]] virtual bool is_terrain() const = 0;
   // Of a solid; see Enclosing. Nothing else contains anything.
   [[nodiscard]] virtual bool contains(const Vec3& point) const = 0;

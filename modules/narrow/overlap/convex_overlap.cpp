@@ -21,23 +21,16 @@ namespace {
 // What is left open is for a search with more digits.
 enum class Within : std::uint8_t { no, yes, open };
 
-struct Search {
-  Simplex simplex{};
-  Vec3 closest{0, 0, 0};  // of the difference, so far
-};
-
 // GJK (Gilbert, Johnson, Keerthi 1988) up to the first proof of either answer. support_of(direction) tells the points
-// of two cores that reach furthest toward each other; `start` leads from the second one to the first as far as is
-// known.
+// of two cores that reach furthest toward each other. `v`: the closest point of the difference so far; it leads from
+// the second one to the first.
 template <class SupportOf>
-[[nodiscard]] Within search(const SupportOf& support_of, const Vec3& start, Real reach, Search& its) {
+[[nodiscard]] Within search(const SupportOf& support_of, Real reach, Vec3& v) {
   constexpr int most_rounds = 48, most_stalls = 4;
-  Simplex& simplex = its.simplex;
-  Vec3 v = start;
+  Simplex simplex{};
   Real square = squared_norm(v);
   int stalls = 0;
   for (int round = 0; round < most_rounds; ++round) {
-    its.closest = v;
     if (round > 0 && square <= reach * reach) {
       return Within::yes;
     }
@@ -80,9 +73,9 @@ template <class SupportOf>
 
 template <class SupportOf>
 [[nodiscard]] bool is_within_by(const SupportOf& support_of, const Vec3& start, Real size, Real error, Real reach) {
-  Search its;
-  const Within answer = search(support_of, start, reach + rounding_of(size), its);
-  return answer == Within::open ? search_wide(support_of, -its.closest, size, error, reach) : answer == Within::yes;
+  Vec3 closest = start;
+  const Within answer = search(support_of, reach + rounding_of(size), closest);
+  return answer == Within::open ? search_wide(support_of, -closest, size, error, reach) : answer == Within::yes;
 }
 
 [[nodiscard]] Real error_of(const ConvexSide& a, Real extent_b, bool is_b_curved, Real size) {
@@ -152,20 +145,6 @@ template <class SupportOf>
   return support_of(triangle, direction).point;
 }
 
-// The closest point of a simplex, or the origin in it, as a point of the second core.
-[[nodiscard]] Vec3 point_on_second(const Search& its) {
-  const Simplex& simplex = its.simplex;
-  if (simplex.size < 4) {
-    const WeightedPoint reached = point_with(simplex, weights_of(simplex, its.closest));
-    return reached.a - reached.w;
-  }
-  const auto& [p, q, r, s] = simplex.vertices;
-  const auto volume = [](const Vec3& a, const Vec3& b, const Vec3& c) { return std::fabs(dot(a, cross(b, c))); };
-  const Real of_p = volume(q.w, r.w, s.w), of_q = volume(p.w, r.w, s.w), of_r = volume(p.w, q.w, s.w),
-             of_s = volume(p.w, q.w, r.w), sum = of_p + of_q + of_r + of_s;
-  return sum > 0 ? (1 / sum) * (of_p * p.a + of_q * q.a + of_r * r.a + of_s * s.a) : p.a;
-}
-
 }  // namespace
 
 std::optional<bool> are_forms_within(const FormOfCore& a, const FormOfCore& b, const Pose& ab, Real reach) {
@@ -213,21 +192,6 @@ bool are_triangles_within(const TriangleCorners& a, const TriangleCorners& b, Re
     return SupportPair{support_of_triangle(a, direction), support_of_triangle(b, -direction), no_index, no_index};
   };
   return is_within_by(support_of, middle_of(a) - middle_of(b), size, usual_error * size, reach);
-}
-
-std::optional<Vec3> point_within(const ConvexSide& core, const Pose& pose, const Aabb& box, Real reach) {
-  const Vec3 middle = box.centre(), half = 0.5 * (box.high - box.low), centre = pose * core.centre;
-  const Real size = 2 * core.extent + largest_magnitude(centre) + largest_magnitude(middle) + largest_magnitude(half);
-  const auto support_of = [&](const Vec3& direction) {
-    const Vec3 corner{std::copysign(half.x, -direction.x), std::copysign(half.y, -direction.y),
-                      std::copysign(half.z, -direction.z)};
-    return SupportPair{pose * core.support(pose.rotation.undo(direction)), middle + corner, no_index, no_index};
-  };
-  Search its;
-  if (search(support_of, centre - middle, reach + rounding_of(size), its) != Within::yes) {
-    return std::nullopt;
-  }
-  return minimum(maximum(point_on_second(its), box.low), box.high);
 }
 
 }  // namespace abut

@@ -26,7 +26,4 @@ enum class Met : std::uint8_t { no, yes, left_to_contacts };
 // Two triangles of one frame.
 [[nodiscard]] bool are_triangles_within(const TriangleCorners& a, const TriangleCorners& b, Real reach);
 
-// A point of a box within a reach of a core that is placed in its frame, if there is one.
-[[nodiscard]] std::optional<Vec3> point_within(const ConvexSide& core, const Pose& pose, const Aabb& box, Real reach);
-
 }  // namespace abut

@@ -90,14 +90,9 @@ class CoreQuestion {
 [[nodiscard]] bool has_open_fronts(const SurfaceSource& surface) { return surface.sides() == StoppingSides::front; }
 [[nodiscard]] bool is_solid(const SurfaceSource& surface) { return surface.sides() == StoppingSides::solid; }
 
-// Of a shape that is near no triangle. A terrain ends at the sides of its box, where it has no triangles: all that a
-// convex shape and the box have in common is on one side of the surface.
+// Of a shape that is near no triangle: any point of it tells.
 [[nodiscard]] bool is_inside(const SurfaceSource& surface, const ConvexSide& core, const Pose& ab) {
-  if (!surface.is_terrain()) {
-    return surface.contains(ab * core.support({0, 0, 1}));
-  }
-  const std::optional<Vec3> point = point_within(core, ab, surface.box(), core.radius);
-  return point && surface.contains(*point);
+  return surface.contains(ab * core.support({0, 0, 1}));
 }
 
 // The boxes of a surface as a Hierarchy.

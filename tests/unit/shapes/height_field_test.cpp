@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <set>
 #include <string>
 #include <tuple>
 #include <vector>
@@ -77,31 +78,37 @@ TEST(HeightField, DiagonalsFallOrAlternate) {
             (Indices{0, 1, 4, 0, 4, 3, 1, 2, 4, 2, 5, 4}));
 }
 
-// Fields of all diagonals, with and without holes, answer as their triangles do one by one.
-class HeightFieldOf : public testing::TestWithParam<std::tuple<double, bool>> {
+// Fields of all diagonals, with and without holes, open and solid, answer as their triangles do one by one.
+class HeightFieldOf : public testing::TestWithParam<std::tuple<double, bool, double>> {
  protected:
   [[nodiscard]] static HeightField field(std::uint64_t seed) {
-    const auto [diagonal, has_holes] = GetParam();
+    const auto [diagonal, has_holes, below] = GetParam();
     test::Random random(seed);
     std::vector<double> heights;
     for (std::uint32_t k = 0; k < columns * rows; ++k) {
-      const bool is_hole = has_holes && k % columns != 0 && k % columns != columns - 1 && random.uniform(0, 1) < 0.15;
+      const bool is_inner = k % columns != 0 && k % columns != columns - 1;
+      const bool is_hole = has_holes && (is_inner || below == 1) && random.uniform(0, 1) < 0.15;
       const double height = 0.125 * std::floor(random.uniform(-4, 4));
       heights.push_back(is_hole ? std::nan("") : height);
     }
-    return test::made<HeightField>({columns, rows, spacing_x, spacing_y, diagonal}, heights);
+    return test::made<HeightField>({columns, rows, spacing_x, spacing_y, diagonal, below}, heights);
   }
+  // The middle and half of the extent, of a field of hills or of a solid.
+  [[nodiscard]] static Vec3 centre() { return {middle.x, middle.y, std::get<2>(GetParam()) == 1 ? -2 : middle.z}; }
+  [[nodiscard]] static Vec3 half() { return {extent.x, extent.y, std::get<2>(GetParam()) == 1 ? 2.5 : extent.z}; }
 };
-INSTANTIATE_TEST_SUITE_P(All, HeightFieldOf, testing::Combine(testing::Values(0.0, 1.0, 2.0), testing::Bool()),
+INSTANTIATE_TEST_SUITE_P(All, HeightFieldOf,
+                         testing::Combine(testing::Values(0.0, 1.0, 2.0), testing::Bool(), testing::Values(0.0, 1.0)),
                          [](const auto& given) {
                            return std::string("Diagonal") + static_cast<char>('0' + std::get<0>(given.param)) +
-                                  (std::get<1>(given.param) ? "WithHoles" : "Whole");
+                                  (std::get<1>(given.param) ? "WithHoles" : "Whole") +
+                                  (std::get<2>(given.param) == 1 ? "Solid" : "");
                          });
 
-TEST_P(HeightFieldOf, PartsAreThoseWhoseBoxesOverlap) { test::expect_parts(field(501), middle, extent, 502); }
+TEST_P(HeightFieldOf, PartsAreThoseWhoseBoxesOverlap) { test::expect_parts(field(501), centre(), half(), 502); }
 TEST_P(HeightFieldOf, PartsBelowAreThoseThatReachDown) { test::expect_below(field(503), 4, 504); }
 TEST_P(HeightFieldOf, RaysMeetTheFirstTriangle) {
-  test::expect_first_triangle(field(505), middle, {extent.x, extent.y, 1}, 506, 300);
+  test::expect_first_triangle(field(505), centre(), {half().x, half().y, 2 * half().z}, 506, 300);
 }
 TEST_P(HeightFieldOf, CrestsAreWhereNothingAroundRises) { test::expect_crests(field(507), 508, 200); }
 TEST_P(HeightFieldOf, PartNearAPointIsThere) {
@@ -127,9 +134,10 @@ TEST(HeightField, RaysPassThroughHolesAndNextToThemMeet) {
   EXPECT_TRUE(meets(0.5, 0.5));
 }
 
-TEST(HeightField, EditsMakeAndFillHoles) {
+void edit_at_random(double below) {
   std::vector<double> heights(36, 0.0);
-  HeightField field = test::made<HeightField>({6, 6, 1, 1, 2}, heights);
+  const std::vector<double> parameters{6, 6, 1, 1, 2, below};
+  HeightField field = test::made<HeightField>(parameters, heights);
   test::Random random(511);
   for (int round = 0; round < 300; ++round) {
     const auto column = static_cast<std::uint32_t>(random.uniform(0, 5)),
@@ -145,7 +153,7 @@ TEST(HeightField, EditsMakeAndFillHoles) {
       after[(row + k / wide) * 6 + column + k % wide] = changed[k];
     }
     const abut::HeightEdit edit{column, row, wide, high, changed};
-    const auto anew = HeightField::make(std::vector<double>{6, 6, 1, 1, 2}, after, {});
+    const auto anew = HeightField::make(parameters, after, {});
     const abut::Fault fault = field.check(edit);
     ASSERT_EQ(fault.has_value(), !static_cast<bool>(anew)) << "round " << round;
     if (fault) {
@@ -158,8 +166,15 @@ TEST(HeightField, EditsMakeAndFillHoles) {
     EXPECT_EQ(field.triangles().vertices, anew.value().triangles().vertices);
     EXPECT_EQ(field.aabb(abut::Pose::identity()).low.z, anew.value().aabb(abut::Pose::identity()).low.z);
     EXPECT_EQ(field.aabb(abut::Pose::identity()).high.z, anew.value().aabb(abut::Pose::identity()).high.z);
+    abut::Aabb box = abut::Aabb::everything();
+    std::set<std::uint32_t> parts, parts_anew;
+    field.visit_parts(box, [&](const abut::Triangle&, std::uint32_t index) { parts.insert(index); });
+    anew.value().visit_parts(box, [&](const abut::Triangle&, std::uint32_t index) { parts_anew.insert(index); });
+    EXPECT_EQ(parts, parts_anew);
   }
 }
+TEST(HeightField, EditsMakeAndFillHoles) { edit_at_random(0); }
+TEST(HeightField, EditsMoveWallsAndFloors) { edit_at_random(1); }
 
 TEST(HeightField, FrontIsUp) {
   const HeightField field = hills(191);

@@ -2,6 +2,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <random>
 #include <vector>
@@ -16,6 +18,22 @@ void expect_range_of(const std::vector<double>& values, const RangePyramid& pyra
   const auto [low, high] = std::minmax_element(values.begin(), values.end());
   EXPECT_EQ(pyramid.whole().low, *low);
   EXPECT_EQ(pyramid.whole().high, *high);
+}
+
+// Of each block of 4 x 4 cells, whether one of its samples is NaN.
+void expect_gaps_of(const std::vector<double>& values, std::uint32_t columns, const RangePyramid& pyramid) {
+  const auto rows = static_cast<std::uint32_t>(values.size()) / columns;
+  for (std::uint32_t j = 0; 4 * j < std::max(rows - 1, 1u); ++j) {
+    for (std::uint32_t i = 0; 4 * i < std::max(columns - 1, 1u); ++i) {
+      bool lacks = false;
+      for (std::uint32_t row = 4 * j; row <= 4 * j + 4 && row < rows; ++row) {
+        for (std::uint32_t column = 4 * i; column <= 4 * i + 4 && column < columns; ++column) {
+          lacks = lacks || std::isnan(values[std::size_t{row} * columns + column]);
+        }
+      }
+      EXPECT_EQ(pyramid.lacks_any({0, i, j}), lacks) << columns << " x " << rows << ": " << i << ", " << j;
+    }
+  }
 }
 
 TEST(RangePyramid, IsTheRangeOfOneValue) {
@@ -55,6 +73,13 @@ TEST(RangePyramid, FollowsWhateverRectangleChanges) {
       }
       pyramid.update(values, {column, row, wide, high});
       expect_range_of(values, pyramid);
+    }
+    std::vector<double> gaps = values;
+    for (int change = 0; change < 50; ++change) {
+      const std::uint32_t column = below(columns), row = below(rows);
+      gaps[std::size_t{row} * columns + column] = below(2) == 0 ? std::nan("") : draw();
+      pyramid.update(gaps, {column, row, 1, 1});
+      expect_gaps_of(gaps, columns, pyramid);
     }
   }
 }
