@@ -45,6 +45,10 @@ abut_status change_shapes(abut_universe& its, std::span<const abut_geometry_id> 
     }
   } catch (...) {
     take_back();
+    // Copies may have been made for the change.
+    for (const auto& [place, unused] : others) {
+      its.universe.put_back(place, its.shapes[place]->handle);
+    }
     throw;
   }
   for (auto& [place, handle] : others) {

@@ -149,6 +149,8 @@ class Scene {
   [[nodiscard]] inline const ShapeHandle& handle_at(std::uint32_t place) const [[clang::lifetimebound]] {
     return places_.shapes[place];
   }
+  // The handle that was there before an edit that has failed, so that a shape that was shared is so again.
+  void put_back(std::uint32_t place, const ShapeHandle& shape) { places_.shapes[place] = shape; }
   // A shape that no geometry has of its own.
   [[nodiscard]] inline const ShapeHandle& vacant_shape() const [[clang::lifetimebound]] { return places_.vacant; }
   [[nodiscard]] inline const Pose& world_at(std::uint32_t place) const [[clang::lifetimebound]] {

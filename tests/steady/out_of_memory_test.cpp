@@ -287,6 +287,69 @@ TEST_P(RefusedChange, ChangesNothing) {
 INSTANTIATE_TEST_SUITE_P(Every, RefusedChange, testing::Range(std::size_t{0}, changes().size()),
                          [](const auto& each) { return std::string(changes().at(each.param).name); });
 
+// A large surface.
+struct Buffers {
+  std::vector<double> xyz;
+  std::vector<std::uint32_t> triangles;
+};
+Buffers make_large_buffers() {
+  constexpr std::uint32_t side = 120;
+  Buffers out;
+  for (std::uint32_t j = 0; j < side; ++j) {
+    for (std::uint32_t i = 0; i < side; ++i) {
+      out.xyz.insert(out.xyz.end(), {0.1 * i, 0.1 * j, i % 3 == 0 ? 0.1 : 0.0});
+      if (i + 1 < side && j + 1 < side) {
+        const std::uint32_t a = j * side + i;
+        out.triangles.insert(out.triangles.end(), {a, a + 1, a + side, a + 1, a + side + 1, a + side});
+      }
+    }
+  }
+  return out;
+}
+
+// An edit that is refused leaves no copy of what is shared behind.
+using EditOf = std::function<abut_status(abut_universe*, abut_geometry_id)>;
+void expect_shared_until_granted(const Shape& shape, const EditOf& edit) {
+  Crowd crowd(all_events(), steady::make_moving_shapes(), 2);
+  abut_geometry_id geometry{};
+  require(abut_geometry_create(crowd.universe(), crowd.parts().front(), shape, nullptr, &geometry));
+  crowd.step();
+  const std::size_t before = steady::live_bytes();
+  std::size_t refusals = 0;
+  for (abut_status status = ABUT_OUT_OF_MEMORY; status != ABUT_OK; ++refusals) {
+    {
+      RefusedAllocation refusal(refusals);
+      status = edit(crowd.universe(), geometry);
+    }
+    if (status != ABUT_OK) {
+      ASSERT_EQ(status, ABUT_OUT_OF_MEMORY);
+      EXPECT_LT(steady::live_bytes(), before + 100000) << "after " << refusals << " requests";
+    }
+  }
+  EXPECT_GT(refusals, 5U);
+  EXPECT_GT(steady::live_bytes(), before + 500000);  // the copy
+}
+
+TEST(OutOfMemory, LeavesSharedShapesShared) {
+  const Buffers given = make_large_buffers();
+  const std::size_t vertices = given.xyz.size() / 3, triangles = given.triangles.size() / 3;
+  abut_shape *mesh = nullptr, *grid = nullptr;
+  require(abut_mesh_create(given.xyz.data(), vertices, given.triangles.data(), triangles, nullptr, &mesh));
+  require(abut_uv_grid_create(given.xyz.data(), vertices, given.triangles.data(), triangles, nullptr, &grid));
+  const Shape held_mesh(mesh), held_grid(grid);
+  Buffers more = given;
+  more.xyz.insert(more.xyz.end(), {0, 0, 1});
+  more.triangles.insert(more.triangles.end(), {0, 1, static_cast<std::uint32_t>(vertices)});
+  expect_shared_until_granted(held_mesh, [&](abut_universe* universe, abut_geometry_id geometry) {
+    return abut_geometry_set_mesh(universe, geometry, more.xyz.data(), vertices + 1, more.triangles.data(),
+                                  triangles + 1);
+  });
+  const std::array<double, 3> lifted{0, 0, 0.05};
+  expect_shared_until_granted(held_grid, [&](abut_universe* universe, abut_geometry_id geometry) {
+    return abut_geometry_set_vertices(universe, geometry, 0, lifted.data(), 1);
+  });
+}
+
 // A query that fails for lack of memory writes nothing.
 template <class Answer, class Ask>
 void expect_untouched(std::size_t least, const Ask& ask) {
