@@ -45,7 +45,10 @@ class SurfaceSearch : public NearTriangles<B>, private Obstacles {
     // Curved shapes come nearer step by step.
     constexpr int most_polishes = Curved<B> ? 24 : 3;
     constexpr int most_around = 128;
-    return find_translation(*this, {size_, tolerance_, least_, deepest_way_, infinity, infinity, of_start, far,
+    // A first way that leads down into a solid may be long: others are tried before it.
+    constexpr Real of_first = 4;
+    const Real first = sides_ == StoppingSides::solid ? of_first * (size_ + least_) : infinity;
+    return find_translation(*this, {size_, tolerance_, least_, deepest_way_, infinity, first, of_start, far,
                                     most_around, true, most_polishes});
   }
 
