@@ -23,6 +23,7 @@ abut_status read_given_options(const abut_query_options& options, PairQuery& que
     query.settings.error_bound = options.error_bound;
   }
   query.settings.margin = options.margin;
+  query.settings.welds = (options.flags & ABUT_QUERY_WELDS) != 0;
   query.max_contacts = options.max_contacts;
   query.max_pair_contacts = options.max_pair_contacts;
   query.threads = options.threads;
@@ -41,7 +42,7 @@ abut_status check_query_options(const abut_query_options& options) {
     return to_status(check_not_negative("options.error_bound", options.error_bound));
   }
   const abut_status status = check_threads(options.threads);
-  return status != ABUT_OK ? status : check_reserved({"options"}, options.reserved);
+  return status != ABUT_OK ? status : check_bits({"options"}, ".flags", options.flags, ABUT_QUERY_WELDS);
 }
 
 abut_status refuse_outcome(Outcome outcome, const abut_shape* a, const abut_shape* b, Algorithm algorithm) {

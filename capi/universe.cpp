@@ -43,7 +43,9 @@ abut_status check_options(const abut_universe_options& options) {
   status = status != ABUT_OK ? status
                              : check_bits(where, ".events", options.events,
                                           ABUT_EVENTS_PAIRS | ABUT_EVENTS_PERSIST | ABUT_EVENTS_CONTACTS);
-  return status != ABUT_OK ? status : check_bits(where, ".flags", options.flags, ABUT_UNIVERSE_LOCAL_POINTS);
+  return status != ABUT_OK ? status
+                           : check_bits(where, ".flags", options.flags,
+                                        ABUT_UNIVERSE_LOCAL_POINTS | ABUT_UNIVERSE_WELDS);
 }
 
 abut_status create(const abut_universe_options& options, abut_universe** out) {
@@ -59,6 +61,7 @@ abut_status create(const abut_universe_options& options, abut_universe** out) {
   wanted.threads = options.threads;
   wanted.events = options.events;
   wanted.keeps_local_points = (options.flags & ABUT_UNIVERSE_LOCAL_POINTS) != 0;
+  wanted.welds = (options.flags & ABUT_UNIVERSE_WELDS) != 0;
   *out = std::make_unique<abut_universe>(wanted, next_universe_number()).release();
   return ABUT_OK;
 }

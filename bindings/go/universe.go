@@ -55,11 +55,21 @@ type filter struct {
 	panic any
 }
 
+// NewWeldedUniverse makes a universe in which static geometries that lie side by side have contacts as one shape.
+func NewWeldedUniverse(threads uint32) (*Universe, error) {
+	return newUniverse(threads, C.ABUT_UNIVERSE_WELDS)
+}
+
 // NewUniverse makes an empty universe whose steps use that many threads; 0 is as many as there may be.
 func NewUniverse(threads uint32) (*Universe, error) {
+	return newUniverse(threads, 0)
+}
+
+func newUniverse(threads uint32, flags C.abut_universe_flags) (*Universe, error) {
 	var options C.abut_universe_options
 	C.abut_universe_options_init(&options, C.uint32_t(unsafe.Sizeof(options)))
 	options.threads = C.uint32_t(threads)
+	options.flags = flags
 	universe := &Universe{}
 	failure := check(func() C.abut_status { return C.abut_universe_create(&options, &universe.pointer) })
 	if failure != nil {

@@ -110,6 +110,8 @@ export interface QueryOptions {
   maxPairContacts?: number;
   /** Of pairDistances; 0 for as many as there may be, which is the default. */
   threads?: number;
+  /** Bits of ABUT_QUERY_: 1 welds convex children of composites that lie side by side. */
+  flags?: number;
 }
 
 export interface Distance {
@@ -196,6 +198,7 @@ export interface UniverseOptions {
   threads?: number;
   /** Bits of ABUT_EVENTS_. */
   events?: number;
+  /** Bits of ABUT_UNIVERSE_: 2 welds static geometries that lie side by side. */
   flags?: number;
 }
 

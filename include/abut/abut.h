@@ -749,6 +749,14 @@ enum abut_algorithm_value ABUT_ENUM(uint32_t) {
   ABUT_ALGORITHM_HOLE = 10        /**< the walls of a hole */
 };
 
+/** Bits of the flags of queries. */
+typedef uint32_t abut_query_flags;
+enum abut_query_flags_value ABUT_ENUM(uint32_t) {
+  ABUT_QUERY_WELDS = 1 /**< convex children of a composite without holes that lie side by side have contacts, and a
+                            depth, as one shape; see the section on welds. Asks each child that has a contact where
+                            another one covers it once more */
+};
+
 typedef struct abut_query_options {
   uint32_t struct_size;
   abut_algorithm algorithm; /**< default ABUT_ALGORITHM_AUTO */
@@ -768,7 +776,7 @@ typedef struct abut_query_options {
                                    may be, as in abut_universe_options; batches of few pairs take one. Results are the
                                    same bits for any number. More than 1 is ABUT_UNSUPPORTED in a build without the
                                    feature threads */
-  uint32_t reserved;          /**< zero */
+  abut_query_flags flags;     /**< of distances and contacts; default 0 */
 } abut_query_options;
 
 ABUT_API void abut_query_options_init(abut_query_options *options, uint32_t struct_size);
@@ -1328,8 +1336,13 @@ enum abut_event_bits_value ABUT_ENUM(uint32_t) {
 /** Bits of the flags of a universe. */
 typedef uint32_t abut_universe_flags;
 enum abut_universe_flags_value ABUT_ENUM(uint32_t) {
-  ABUT_UNIVERSE_LOCAL_POINTS = 1 /**< keeps what abut_universe_local_points lends; steps of many contacts take an
+  ABUT_UNIVERSE_LOCAL_POINTS = 1, /**< keeps what abut_universe_local_points lends; steps of many contacts take an
                                       eighth longer */
+  ABUT_UNIVERSE_WELDS = 2 /**< static and animated geometries that are convex or half-spaces, and surfaces beside them,
+                               have contacts as one shape where they lie side by side; so have convex children of a
+                               composite without holes. A body that slides over a floor of boxes meets no walls
+                               between them. See the section on welds. Steps look at each body that touches two such
+                               geometries */
 };
 
 typedef struct abut_universe_options {
@@ -2231,6 +2244,26 @@ typedef struct abut_finding {
  */
 ABUT_API abut_status abut_universe_validate(const abut_universe *universe, abut_finding *findings, size_t capacity,
                                             size_t *count);
+
+/* ------------------------------------------------------------------------------------------------
+ * Welds
+ *
+ * Boxes that lie side by side make a floor without walls, yet each of them has a wall on every side: a body that slides
+ * over the floor is pushed back by it. ABUT_UNIVERSE_WELDS takes static and animated geometries that a body touches at
+ * once for one shape, ABUT_QUERY_WELDS the children of a composite. Parts are convex shapes, half-spaces, and the
+ * surfaces beside them. Sensors, distance fields, particles and composites with holes take no part.
+ *  - A contact stays as it is where the outside of its part is that of the whole: at a step, at a wall, at the open
+ *    side of a single box. It does so for all points under one normal where that holds for one of them.
+ *  - Where another part goes on past all of them, they give way to contacts of the same part under the normals of the
+ *    whole, if it has any.
+ *  - Gaps and differences in height of up to 1e-4 of the smaller one of a part and the body are none. A higher step is
+ *    a wall. Parts may overlap by any length.
+ *  - Pairs that a detection does not examine stay as they are, and dynamic geometries have no welds with each other.
+ *    Impacts of fast geometries have the normals of one part, as if it were alone.
+ * Cost: nothing where it is not asked for. Else a step sorts the pairs that touch such parts. Where the contacts of a
+ * body have several normals, it asks support points and distances of points. A part whose contacts give way is asked
+ * once more.
+ * --------------------------------------------------------------------------------------------- */
 
 /* ------------------------------------------------------------------------------------------------
  * Islands

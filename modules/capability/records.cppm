@@ -112,6 +112,7 @@ struct QuerySettings {
   Algorithm algorithm = Algorithm::automatic;
   Real error_bound = 0;  // of upper - lower, relative to the size of the shapes; 0: the usual one
   Real margin = 0;       // contacts are wanted up to this distance
+  bool welds = false;    // convex children of composites that lie side by side, as it does surfaces
 };
 
 // Signed distance: `distance == dot(point_b - point_a, normal)`, normal from a to b, negative when

@@ -101,7 +101,8 @@ void find_in_chunk(std::size_t number, const UniverseOptions& options, const Pol
   ChunkScratch& scratch = jobs.scratch(number);
   const std::span<const PairJob> its_jobs = jobs.jobs().subspan(chunk.begin, chunk.end - chunk.begin);
   const Policy& policy = policies.at(chunk.policy);
-  const QuerySettings settings{.algorithm = policy.algorithm, .error_bound = policy.error_bound};
+  const QuerySettings settings{
+      .algorithm = policy.algorithm, .error_bound = policy.error_bound, .welds = options.welds};
   scratch.points.clear();
   if (chunk.run == path_run) {
     for (std::uint32_t job = chunk.begin; job < chunk.end; ++job) {
@@ -131,7 +132,7 @@ void find_in_chunk(std::size_t number, const UniverseOptions& options, const Pol
     if (scratch.results[i].outcome != Outcome::ok) {
       // The pair does not have the algorithm of the policy, or that gave up.
       begin = scratch.points.size();
-      run(its_jobs.subspan(i, 1), QuerySettings{}, std::span(scratch.results).subspan(i, 1));
+      run(its_jobs.subspan(i, 1), QuerySettings{.welds = options.welds}, std::span(scratch.results).subspan(i, 1));
       end = scratch.points.size();
     }
     if (const std::size_t job = chunk.begin + i; sides.has(job)) [[unlikely]] {

@@ -35,15 +35,17 @@ Real size_of(const Sides& sides) {
 }
 
 // Appends the contacts of a moment, in the frame of the first side. The algorithm of a policy may not have the pair.
-void find_points(const Places& places, const Sides& sides, const Moment& moment, const Policy& policy, Real margin,
+void find_points(const PathScene& scene, const Sides& sides, const Moment& moment, const Policy& policy, Real margin,
                  Manifold& points) {
-  const AnyShape &a = *places.shapes[sides.job.a], &b = *places.shapes[sides.job.b];
+  const AnyShape &a = *scene.places.shapes[sides.job.a], &b = *scene.places.shapes[sides.job.b];
   const auto& kernels = pair_kernels(a.index(), b.index());
   const std::size_t before = points.size();
-  const QuerySettings wanted{.algorithm = policy.algorithm, .error_bound = policy.error_bound, .margin = margin};
+  const bool welds = scene.options.welds;
+  const QuerySettings wanted{
+      .algorithm = policy.algorithm, .error_bound = policy.error_bound, .margin = margin, .welds = welds};
   if (kernels.contacts_in_frame(a, b, relative(moment.a, moment.b), wanted, nullptr, points) != Outcome::ok) {
     points.resize(before);
-    const QuerySettings any{.margin = margin};
+    const QuerySettings any{.margin = margin, .welds = welds};
     static_cast<void>(kernels.contacts_in_frame(a, b, relative(moment.a, moment.b), any, nullptr, points));
   }
 }
@@ -152,7 +154,7 @@ void report_start(const PathScene& scene, const Sides& sides, const Pair& pair, 
                   JobResult& result) {
   const Moment moment = moment_at(sides, 0);
   const std::size_t first = scratch.points.size();
-  find_points(scene.places, sides, moment, scene.policies.at(pair.policy), touching, scratch.points);
+  find_points(scene, sides, moment, scene.policies.at(pair.policy), touching, scratch.points);
   if (scratch.points.size() > first) {
     finish(scene, sides, moment, pair, [](const ContactPoint&) { return true; }, scratch, result);
   }
@@ -168,7 +170,7 @@ void report_touch(const PathScene& scene, const Sides& sides, const Impact& impa
   if (!is_undecided) {
     const bool is_apart = is_ahead || impact.contact.distance > touching;
     const Real margin = touching + (is_apart ? depth_of_touch * size_of(sides) : 0);
-    find_points(scene.places, sides, moment, scene.policies.at(pair.policy), margin, scratch.points);
+    find_points(scene, sides, moment, scene.policies.at(pair.policy), margin, scratch.points);
   }
   if (scratch.points.size() == first) {
     Distance found = impact.contact;
@@ -189,7 +191,7 @@ void report_speculative(const PathScene& scene, const Sides& sides, const Pair& 
   ChunkScratch& scratch = jobs.scratch(number);
   result = empty_result(number, scratch);
   const Moment moment = moment_at(sides, 0);
-  find_points(scene.places, sides, moment, scene.policies.at(pair.policy), touching + most, scratch.points);
+  find_points(scene, sides, moment, scene.policies.at(pair.policy), touching + most, scratch.points);
   const auto is_within = [&](const ContactPoint& contact) {
     const Vec3 normal = moment.a.rotation * contact.normal;
     return contact.distance - touching <= std::max<Real>(closing_along(normal, sides), 0);

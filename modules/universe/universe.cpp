@@ -208,7 +208,7 @@ void Universe::run_stages(const Scope& scope) {
   find_manifolds(workers_, options_, meetings_.policies, places_, contacts_.histories(), is_timed, pairs_, sides_,
                  jobs_);
   sides_.settle(places_, pairs_.all());
-  seams_.run(places_, jobs_);
+  seams_.run({options_, meetings_.policies, places_, contacts_.histories(), pairs_.all()}, jobs_);
   impacts_.run(workers_, {options_, meetings_.policies, places_, its_paths, sweeps_, contacts_.histories()},
                pairs_.all(), jobs_);
   stats_.narrowphase_microseconds = watch.lap();

@@ -158,7 +158,7 @@ TEST_P(SteadyStep, AllocatesNothingForBodiesThatAreFast) {
   }
 }
 
-// Where a body touches two surfaces, their contacts are compared.
+// Where a body touches two surfaces, or two boxes that are welded, their contacts are compared.
 TEST_P(SteadyStep, AllocatesNothingAtSeams) {
   constexpr std::size_t bodies = 40;
   std::vector<double> xyz;
@@ -174,15 +174,23 @@ TEST_P(SteadyStep, AllocatesNothingAtSeams) {
   }
   abut_shape* grid = nullptr;
   require(abut_uv_grid_create(xyz.data(), xyz.size() / 3, triangles.data(), triangles.size() / 3, nullptr, &grid));
-  std::vector<Shape> floors;
-  floors.push_back(make_of_kind("mesh", {1}, xyz, triangles));
-  floors.emplace_back(grid);
-  floors.push_back(make_of_kind("height_field", {7, 7, 1, 1}, std::vector<double>(49, 0.0)));
-  for (const Shape& floor : floors) {
-    const abut_universe_options chosen = options();
+  struct Floor {
+    Shape shape;
+    abut_pose place = identity;
+  };
+  std::vector<Floor> floors;
+  floors.push_back({make_of_kind("mesh", {1}, xyz, triangles)});
+  floors.push_back({Shape(grid)});
+  floors.push_back({make_of_kind("height_field", {7, 7, 1, 1}, std::vector<double>(49, 0.0))});
+  floors.push_back({make_box(3, 3, 3), at(3, 3, -3)});
+  for (const Floor& floor : floors) {
+    abut_universe_options chosen = options();
+    chosen.flags |= ABUT_UNIVERSE_WELDS;
     Universe universe(&chosen);
-    universe.add(floor, at(-6, 0, 0), ABUT_MOTION_STATIC);
-    universe.add(floor, identity, ABUT_MOTION_STATIC);
+    abut_pose beside = floor.place;
+    beside.position.x -= 6;
+    universe.add(floor.shape, beside, ABUT_MOTION_STATIC);
+    universe.add(floor.shape, floor.place, ABUT_MOTION_STATIC);
     const Shape box = make_box(0.05, 0.05, 0.05);
     std::vector<abut_part_id> parts;
     for (std::size_t body = 0; body < bodies; ++body) {
@@ -191,7 +199,7 @@ TEST_P(SteadyStep, AllocatesNothingAtSeams) {
     }
     const auto step = [&](std::size_t number) {
       for (std::size_t body = 0; body < bodies; ++body) {
-        universe.move(parts[body], at(0.01 * static_cast<double>((body + number) % 8) - 0.04,
+        universe.move(parts[body], at(0.01 * static_cast<double>((body + number) % 8) - 0.0495,
                                       0.4 + 0.12 * static_cast<double>(body), 0.049));
       }
       require(abut_universe_step(universe, 0));

@@ -13,11 +13,13 @@ namespace Abut
         private Exception failure;
 
         /// <param name="threads">Of a step; 0 is as many as there may be.</param>
-        public Universe(uint threads = 1) : base(IntPtr.Zero, true)
+        /// <param name="welds">Whether static geometries that lie side by side have contacts as one shape.</param>
+        public Universe(uint threads = 1, bool welds = false) : base(IntPtr.Zero, true)
         {
             Native.abut_universe_options_init(
                 out UniverseOptions options, (uint)Marshal.SizeOf(typeof(UniverseOptions)));
             options.Threads = threads;
+            options.Flags = welds ? UniverseFlags.Welds : 0;
             Native.Check(Native.abut_universe_create(new[] { options }, out IntPtr universe));
             SetHandle(universe);
         }

@@ -47,6 +47,8 @@ pub struct QueryOptions {
     pub max_pair_contacts: u32,
     /// Of a batch; 0 for as many as there may be. Results are the same bits for any number.
     pub threads: u32,
+    /// Whether convex children of composites that lie side by side have contacts as one shape.
+    pub welds: bool,
 }
 
 impl Default for QueryOptions {
@@ -59,6 +61,7 @@ impl Default for QueryOptions {
             max_contacts: its.max_contacts,
             max_pair_contacts: its.max_pair_contacts,
             threads: its.threads,
+            welds: false,
         }
     }
 }
@@ -72,6 +75,7 @@ impl QueryOptions {
         options.max_contacts = self.max_contacts;
         options.max_pair_contacts = self.max_pair_contacts;
         options.threads = self.threads;
+        options.flags = if self.welds { raw::ABUT_QUERY_WELDS } else { 0 };
         options
     }
 }
@@ -117,6 +121,8 @@ pub struct UniverseOptions {
     pub origin: Vec3,
     /// Of a step; 0 for as many as there may be. Results are the same bits for any number.
     pub threads: u32,
+    /// Whether static geometries that lie side by side have contacts as one shape.
+    pub welds: bool,
     /// Whether steps also tell about pairs that still touch.
     pub persist_events: bool,
     /// Whether steps tell about each contact, not only about pairs.
@@ -133,6 +139,7 @@ impl Default for UniverseOptions {
             max_pair_contacts: its.max_pair_contacts,
             origin: [0.0; 3],
             threads: its.threads,
+            welds: false,
             persist_events: its.events & raw::ABUT_EVENTS_PERSIST != 0,
             contact_events: its.events & raw::ABUT_EVENTS_CONTACTS != 0,
         }
@@ -149,6 +156,7 @@ impl UniverseOptions {
         options.max_pair_contacts = self.max_pair_contacts;
         options.origin = raw::abut_vec3 { x, y, z };
         options.threads = self.threads;
+        options.flags = if self.welds { raw::ABUT_UNIVERSE_WELDS } else { 0 };
         options.events = raw::ABUT_EVENTS_PAIRS
             | if self.persist_events { raw::ABUT_EVENTS_PERSIST } else { 0 }
             | if self.contact_events { raw::ABUT_EVENTS_CONTACTS } else { 0 };

@@ -121,6 +121,7 @@ struct QueryOptions : Defaulted<QueryOptions, abut_query_options, abut_query_opt
     return with(&C::max_pair_contacts, value);
   }
   [[nodiscard]] QueryOptions with_threads(std::uint32_t value) const { return with(&C::threads, value); }
+  [[nodiscard]] QueryOptions with_flags(abut_query_flags value) const { return with(&C::flags, value); }
 };
 
 struct QueryFilter : Defaulted<QueryFilter, abut_query_filter, abut_query_filter_init> {

@@ -143,8 +143,9 @@ Outcome append_contacts_of_children(const AnyShape& a, const AnyShape& b, const 
     in_surface_groups(a, b, ab, pairs.span(), take, take_group);
   }
   if (!with_nearest) {
-    settle_seams(a, Pose::identity(), false, b, first, out);
-    settle_seams(b, ab, true, a, first, out);
+    const PlacedSide of_a{a, Pose::identity(), false}, of_b{b, ab, true};
+    settle_seams(of_a, of_b, settings, first, out);
+    settle_seams(of_b, of_a, settings, first, out);
   }
   if (a.has_holes() || b.has_holes()) {
     carve_both(a, b, ab, settings, first, out);
@@ -243,6 +244,23 @@ Real least_gap(const AnyShape& a, const AnyShape& b, const Pose& ab, const Query
   return least;
 }
 
+// Of children that overlap another shape and are welded: each is overlapped no deeper than the whole, whose depth is
+// that of its deepest contact.
+void deepen_by_welds(const AnyShape& a, const AnyShape& b, const Pose& ab, const QuerySettings& settings,
+                     Distance& best) {
+  Manifold contacts;
+  const QuerySettings touching{.error_bound = settings.error_bound, .welds = true};
+  static_cast<void>(append_contacts_of_children(a, b, ab, touching, false, contacts));
+  const auto deepest = std::ranges::min_element(contacts, {}, &ContactPoint::distance);
+  if (deepest != contacts.end() && deepest->distance <= best.distance) {
+    best.distance = deepest->distance;
+    best.lower = std::min(best.lower, deepest->distance);
+    best.point_a = deepest->point_a;
+    best.point_b = deepest->point_b;
+    best.normal = deepest->normal;
+  }
+}
+
 }  // namespace
 
 // With holes: of all contacts however far, the one whose distance is nearest to that of the solids. Holes bring nothing
@@ -271,6 +289,9 @@ Outcome children_distance(const AnyShape& a, const AnyShape& b, const Pose& pose
               left.point_b,   left.normal,
               best.algorithm, best.iterations};
     }
+  }
+  if (outcome == Outcome::ok && settings.welds && best.distance < 0 && !a.has_holes() && !b.has_holes()) {
+    deepen_by_welds(a, b, ab, settings, best);
   }
   if (outcome == Outcome::ok) {
     move_by(best, pose_a, swapped);

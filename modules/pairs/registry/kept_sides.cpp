@@ -213,8 +213,9 @@ bool contacts_of_bodies(const AnyShape& a, const AnyShape& b, const Pose& ab, co
         }
         name_children(a, b, child_a, child_b, std::span(out).subspan(begin));
       });
-  settle_seams(a, Pose::identity(), false, b, first, out);
-  settle_seams(b, ab, true, a, first, out);
+  const PlacedSide of_a{a, Pose::identity(), false}, of_b{b, ab, true};
+  settle_seams(of_a, of_b, settings, first, out);
+  settle_seams(of_b, of_a, settings, first, out);
   return true;
 }
 

@@ -4,25 +4,11 @@ import abut.capability;
 import abut.core.standard;
 import abut.core;
 import abut.math;
-import abut.narrow.many.continuation;
-import abut.narrow.many.nearest_face;
 import abut.pairs.registry;
+import abut.pairs.registry.children;
 
 namespace abut {
 namespace {
-
-template <class Ask>
-bool ask_surface(const AnyShape& shape, Ask&& ask) {
-  return std::visit(
-      [&]<class S>(const S& surface) {
-        if constexpr (Surface<S>) {
-          return ask(surface);
-        } else {
-          return false;
-        }
-      },
-      static_cast<const AnyShape::Variant&>(shape));
-}
 
 // A contact as a surface sees it: in its frame, with the normal that leads out of it.
 struct Seen {
@@ -35,23 +21,18 @@ Seen seen_by(const Seam& own, const Seam& other, const ContactPoint& contact) {
 
 bool has_own_face(const Seam& own, const ContactPoint& contact, Real size) {
   const Seen seen = seen_by(own, own, contact);
-  return ask_surface(*own.surface,
-                     [&](const auto& surface) { return has_face(surface, seen.point, seen.normal, size); });
+  return has_face_at(*own.part, seen.point, seen.normal, size);
 }
 
 // The contact under the normal of the face that it lies on, as deep as the body is below that there.
 std::optional<ContactPoint> turned_to_face(const Seam& own, const ContactPoint& contact, Real size) {
   const Seen seen = seen_by(own, own, contact);
-  std::optional<Vec3> face;
-  static_cast<void>(ask_surface(*own.surface, [&](const auto& surface) {
-    face = nearest_face_normal(surface, seen.point, seen.normal, size);
-    return true;
-  }));
-  if (!face) {
+  const std::vector<Vec3> faces = faces_of(*own.part, seen.point, seen.normal, size);
+  if (faces.empty()) {
     return std::nullopt;
   }
   ContactPoint turned = contact;
-  const Vec3 normal = own.pose.rotation * *face;
+  const Vec3 normal = own.pose.rotation * faces.front();
   turned.normal = own.is_b ? -normal : normal;
   turned.distance = dot(contact.point_b - contact.point_a, turned.normal);
   if (own.is_b) {
@@ -64,21 +45,39 @@ std::optional<ContactPoint> turned_to_face(const Seam& own, const ContactPoint& 
 
 bool goes_on_past(const Seam& own, const Seam& other, const ContactPoint& contact, Real size) {
   const Seen seen = seen_by(own, other, contact);
-  return ask_surface(*other.surface,
-                     [&](const auto& surface) { return goes_on(surface, seen.point, seen.normal, size); });
+  return goes_on_at(*other.part, seen.point, seen.normal, size);
 }
 
-// Whether two or more children are surfaces, which may meet along a seam.
-bool has_surfaces(const AnyShape& shape) {
+// Whether two or more children may meet along a seam.
+bool has_seams(const AnyShape& shape, bool is_welded) {
   return std::visit(
-      []<class S>(const S& s) {
+      [&]<class S>(const S& s) {
         if constexpr (Assembly<S>) {
-          return std::ranges::count_if(s.children(), [](const auto& child) { return is_surface(*child.shape); }) > 1;
+          return std::ranges::count_if(s.children(), [&](const auto& child) {
+                   return is_part_at_seams(child.shape->index(), is_welded);
+                 }) > 1;
         } else {
           return false;
         }
       },
       static_cast<const AnyShape::Variant&>(shape));
+}
+
+// A child of a shape, or the shape itself.
+struct PlacedChild {
+  const AnyShape& shape;
+  Pose pose;
+};
+PlacedChild child_of(const PlacedSide& side, std::uint32_t child) {
+  return std::visit(
+      [&]<class S>(const S& s) -> PlacedChild {
+        if constexpr (Assembly<S>) {
+          return {*s.children()[child].shape, side.pose * s.children()[child].pose};
+        } else {
+          return {side.shape, side.pose};
+        }
+      },
+      static_cast<const AnyShape::Variant&>(side.shape));
 }
 
 }  // namespace
@@ -96,13 +95,6 @@ SurfaceSides surfaces_of(const AnyShape& a, const AnyShape& b, const ContactPoin
         static_cast<const AnyShape::Variant&>(shape));
   };
   return {is_surface_child(a, contact.child_a), is_surface_child(b, contact.child_b)};
-}
-
-bool is_surface_kind(std::size_t kind) {
-  static constexpr auto are_surfaces = []<class... S>(const std::variant<S...>*) {
-    return std::array<bool, sizeof...(S)>{Surface<S>...};
-  }(static_cast<const AnyShape::Variant*>(nullptr));
-  return are_surfaces[kind];
 }
 
 void leave_out_at_seams(std::span<Seam> seams, Real size) {
@@ -150,43 +142,60 @@ void leave_out_at_seams(std::span<Seam> seams, Real size) {
   }
 }
 
-void settle_seams(const AnyShape& composite, const Pose& pose, bool is_b, const AnyShape& other, std::size_t first,
-                  Manifold& out) {
-  if (!has_surfaces(composite)) {
+void settle_at_seams(std::span<Seam> seams, const BodyAtSeams& body, Real size) {
+  if (std::ranges::any_of(seams, [](const Seam& seam) { return is_weldable(*seam.part); })) {
+    weld(seams, body);
+  } else {
+    leave_out_at_seams(seams, size);
+  }
+}
+
+void settle_seams(const PlacedSide& composite, const PlacedSide& other, const QuerySettings& settings,
+                  std::size_t first, Manifold& out) {
+  const bool is_welded = settings.welds && !composite.shape.has_holes();
+  if (!has_seams(composite.shape, is_welded)) {
     return;
   }
-  const auto child_of = [&](const ContactPoint& contact) { return is_b ? contact.child_b : contact.child_a; };
+  const bool is_b = composite.is_b;
+  const auto child_of_it = [&](const ContactPoint& contact) { return is_b ? contact.child_b : contact.child_a; };
   const auto body_of = [&](const ContactPoint& contact) { return is_b ? contact.child_a : contact.child_b; };
   const std::span<ContactPoint> all = std::span(out).subspan(first);
   std::ranges::sort(all, {}, [&](const ContactPoint& contact) {
-    return std::tuple(body_of(contact), child_of(contact), contact.distance, contact.id);
+    return std::tuple(body_of(contact), child_of_it(contact), contact.distance, contact.id);
   });
-  const Aabb box =
-      std::visit([](const auto& s) { return s.aabb(Pose::identity()); }, static_cast<const AnyShape::Variant&>(other));
   Manifold kept;
   const auto settle = [&]<class S>(const S& s) {
     if constexpr (Assembly<S>) {
       for (std::size_t begin = 0, end = 0; begin < all.size(); begin = end) {
         std::vector<Seam> seams;
+        std::vector<std::uint32_t> children;
         for (; end < all.size() && body_of(all[end]) == body_of(all[begin]); ++end) {
-          const auto& child = s.children()[child_of(all[end])];
-          if (!is_surface(*child.shape)) {
+          const std::uint32_t number = child_of_it(all[end]);
+          const auto& child = s.children()[number];
+          if (!is_part_at_seams(child.shape->index(), is_welded)) {
             kept.push_back(all[end]);
             continue;
           }
-          if (seams.empty() || child_of(all[end - 1]) != child_of(all[end])) {
-            seams.push_back({child.shape, pose * child.pose, is_b, {}});
+          if (children.empty() || children.back() != number) {
+            seams.push_back({child.shape, composite.pose * child.pose, is_b, {}, settings.margin});
+            children.push_back(number);
           }
           seams.back().contacts.push_back(all[end]);
         }
-        leave_out_at_seams(seams, 0.5 * largest_magnitude(box.high - box.low));
-        for (const Seam& seam : seams) {
-          kept.insert(kept.end(), seam.contacts.begin(), seam.contacts.end());
+        const std::uint32_t number_of_body = body_of(all[begin]);
+        const PlacedChild body = child_of(other, number_of_body);
+        settle_at_seams(seams, {body.shape, body.pose}, half_size_of(other.shape));
+        for (std::size_t i = 0; i < seams.size(); ++i) {
+          kept.insert(kept.end(), seams[i].contacts.begin(), seams[i].contacts.end());
+          const std::size_t added = kept.size();
+          kept.insert(kept.end(), seams[i].added.begin(), seams[i].added.end());
+          const AnyShape &a = is_b ? other.shape : composite.shape, &b = is_b ? composite.shape : other.shape;
+          name_children(a, b, is_b ? number_of_body : children[i], is_b ? children[i] : number_of_body, added, kept);
         }
       }
     }
   };
-  std::visit(settle, static_cast<const AnyShape::Variant&>(composite));
+  std::visit(settle, static_cast<const AnyShape::Variant&>(composite.shape));
   out.resize(first, ContactPoint{});
   out.insert(out.end(), kept.begin(), kept.end());
 }

@@ -38,9 +38,9 @@ TEST(UniverseCreate, RefusesUnknownValues) {
     EXPECT_TRUE(refused(abut_universe_create(&options, out.address()), ABUT_UNKNOWN_VALUE,
                         {"events", std::to_string(value & ~7U)}));
     options = default_universe_options();
-    options.flags = value & ~1U;
+    options.flags = value & ~3U;
     EXPECT_TRUE(refused(abut_universe_create(&options, out.address()), ABUT_UNKNOWN_VALUE,
-                        {"flags", std::to_string(value & ~1U)}));
+                        {"flags", std::to_string(value & ~3U)}));
   }
   EXPECT_TRUE(out.is_untouched());
 }
