@@ -138,7 +138,7 @@
   FIELD(abut_query_options, max_contacts, 24, 4) \
   FIELD(abut_query_options, max_pair_contacts, 28, 4) \
   FIELD(abut_query_options, threads, 32, 4) \
-  FIELD(abut_query_options, reserved, 36, 4) \
+  FIELD(abut_query_options, flags, 36, 4) \
   TYPE(abut_distance, 104) \
   FIELD(abut_distance, distance, 0, 8) \
   FIELD(abut_distance, lower, 8, 8) \
@@ -175,6 +175,44 @@
   FIELD(abut_first_touch, reserved, 4, 4) \
   FIELD(abut_first_touch, lower, 8, 8) \
   FIELD(abut_first_touch, upper, 16, 8) \
+  TYPE(abut_element_counts, 32) \
+  FIELD(abut_element_counts, vertices, 0, 8) \
+  FIELD(abut_element_counts, edges, 8, 8) \
+  FIELD(abut_element_counts, triangles, 16, 8) \
+  FIELD(abut_element_counts, faces, 24, 8) \
+  TYPE(abut_elements_options, 64) \
+  FIELD(abut_elements_options, struct_size, 0, 4) \
+  FIELD(abut_elements_options, method, 4, 4) \
+  FIELD(abut_elements_options, kinds, 8, 4) \
+  FIELD(abut_elements_options, flags, 12, 4) \
+  FIELD(abut_elements_options, threads, 16, 4) \
+  FIELD(abut_elements_options, reserved, 20, 4) \
+  FIELD(abut_elements_options, reach, 24, 8) \
+  FIELD(abut_elements_options, tolerance, 32, 8) \
+  FIELD(abut_elements_options, rest_distance, 40, 8) \
+  FIELD(abut_elements_options, cone_angle, 48, 8) \
+  FIELD(abut_elements_options, cone_factor, 56, 8) \
+  TYPE(abut_stencil, 104) \
+  FIELD(abut_stencil, kind, 0, 4) \
+  FIELD(abut_stencil, of_a, 4, 4) \
+  FIELD(abut_stencil, element_a, 8, 4) \
+  FIELD(abut_stencil, element_b, 12, 4) \
+  FIELD(abut_stencil, vertices, 16, 16) \
+  FIELD(abut_stencil, weights, 32, 32) \
+  FIELD(abut_stencil, normal, 64, 24) \
+  FIELD(abut_stencil, distance, 88, 8) \
+  FIELD(abut_stencil, toi, 96, 8) \
+  TYPE(abut_element_pair, 12) \
+  FIELD(abut_element_pair, kind, 0, 4) \
+  FIELD(abut_element_pair, a, 4, 4) \
+  FIELD(abut_element_pair, b, 8, 4) \
+  TYPE(abut_crossing, 48) \
+  FIELD(abut_crossing, edge, 0, 4) \
+  FIELD(abut_crossing, face, 4, 4) \
+  FIELD(abut_crossing, edge_is_of_b, 8, 4) \
+  FIELD(abut_crossing, reserved, 12, 4) \
+  FIELD(abut_crossing, share, 16, 8) \
+  FIELD(abut_crossing, point, 24, 24) \
   TYPE(abut_movement, 120) \
   FIELD(abut_movement, velocity, 0, 24) \
   FIELD(abut_movement, angular_velocity, 24, 24) \

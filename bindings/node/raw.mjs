@@ -40,7 +40,7 @@ const rayHit = koffi.struct('abut_ray_hit', { distance: 'double', point: vector,
   child: 'uint32_t', reserved: 'uint32_t' });
 const queryOptions = koffi.struct('abut_query_options', { structSize: 'uint32_t', algorithm: 'uint32_t',
   errorBound: 'double', margin: 'double', maxContacts: 'uint32_t', maxPairContacts: 'uint32_t', threads: 'uint32_t',
-  reserved: 'uint32_t' });
+  flags: 'uint32_t' });
 const distance = koffi.struct('abut_distance', { distance: 'double', lower: 'double', upper: 'double', pointA: vector,
   pointB: vector, normal: vector, algorithm: 'uint32_t', iterations: 'uint32_t' });
 const contact = koffi.struct('abut_contact', { geometryA: geometryId, geometryB: geometryId, id: 'uint64_t',
@@ -50,6 +50,17 @@ const contact = koffi.struct('abut_contact', { geometryA: geometryId, geometryB:
 const pairMemory = koffi.struct('abut_pair_memory', { opaque: koffi.array('uint64_t', 8) });
 const firstTouch = koffi.struct('abut_first_touch', { touches: 'uint32_t', reserved: 'uint32_t', lower: 'double',
   upper: 'double' });
+const elementCounts = koffi.struct('abut_element_counts', { vertices: 'uint64_t', edges: 'uint64_t',
+  triangles: 'uint64_t', faces: 'uint64_t' });
+const elementsOptions = koffi.struct('abut_elements_options', { structSize: 'uint32_t', method: 'uint32_t',
+  kinds: 'uint32_t', flags: 'uint32_t', threads: 'uint32_t', reserved: 'uint32_t', reach: 'double', tolerance: 'double',
+  restDistance: 'double', coneAngle: 'double', coneFactor: 'double' });
+const stencil = koffi.struct('abut_stencil', { kind: 'uint32_t', ofA: 'uint32_t', elementA: 'uint32_t',
+  elementB: 'uint32_t', vertices: koffi.array('uint32_t', 4), weights: koffi.array('double', 4), normal: vector,
+  distance: 'double', toi: 'double' });
+const elementPair = koffi.struct('abut_element_pair', { kind: 'uint32_t', a: 'uint32_t', b: 'uint32_t' });
+const crossing = koffi.struct('abut_crossing', { edge: 'uint32_t', face: 'uint32_t', edgeIsOfB: 'uint32_t',
+  reserved: 'uint32_t', share: 'double', point: vector });
 const movement = koffi.struct('abut_movement', { velocity: vector, angularVelocity: vector, acceleration: vector,
   angularAcceleration: vector, centre: vector });
 const impactOptions = koffi.struct('abut_impact_options', { structSize: 'uint32_t', mostRounds: 'uint32_t',
@@ -146,18 +157,19 @@ const energy = koffi.struct('abut_energy', { kinetic: 'double', potential: 'doub
 const responseFinding = koffi.struct('abut_response_finding', { code: 'uint32_t', rule: 'uint32_t', part: partId,
   geometry: geometryId, message: koffi.array('char', 168) });
 koffi.opaque('abut_shape');
+koffi.opaque('abut_elements');
 koffi.opaque('abut_universe');
 koffi.opaque('abut_picker');
 koffi.opaque('abut_response');
 
 export const structs = { vector, quaternion, pose, aabb, partId, geometryId, feature, hullReport, meshOptions,
   meshReport, uvGridOptions, heightFieldDesc, distanceFieldDesc, distanceFieldOptions, distanceFieldReport, shapeDesc,
-  ray, rayHit, queryOptions, distance, contact, pairMemory, firstTouch, movement, impactOptions, impact,
-  universeOptions, partOptions, sleep, geometryOptions, geometryInfo, revision, collidable, policy, focus,
-  contactMaterial, event, sleepChange, localPoints, stepStats, finding, island, velocity, acceleration, stepImpact,
-  queryFilter, hit, castHit, impactHit, closest, layoutEntry, pick, camera, contactProblem, solverOptions, residuals,
-  massProperties, responseOptions, bodyOptions, contactLaw, responseSide, linkOptions, responseContact, responseObject,
-  responseIsland, energy, responseFinding };
+  ray, rayHit, queryOptions, distance, contact, pairMemory, firstTouch, elementCounts, elementsOptions, stencil,
+  elementPair, crossing, movement, impactOptions, impact, universeOptions, partOptions, sleep, geometryOptions,
+  geometryInfo, revision, collidable, policy, focus, contactMaterial, event, sleepChange, localPoints, stepStats,
+  finding, island, velocity, acceleration, stepImpact, queryFilter, hit, castHit, impactHit, closest, layoutEntry, pick,
+  camera, contactProblem, solverOptions, residuals, massProperties, responseOptions, bodyOptions, contactLaw,
+  responseSide, linkOptions, responseContact, responseObject, responseIsland, energy, responseFinding };
 
 export const callbacks = {
   log: koffi.pointer(koffi.proto('void abut_log(void *context, uint32_t level, void *message)')),
@@ -249,6 +261,16 @@ export const prototypes = {
     'int32_t abut_pairs_overlap(abut_shape **shapes_a, const abut_pose *poses_a, abut_shape **shapes_b, const abut_pose *poses_b, size_t count, const abut_query_options *options, void *out)',
     'int32_t abut_vertices_touch_faces(const double *start, const double *end, size_t count, double separation, double tolerance, void *out)',
     'int32_t abut_edges_touch_edges(const double *start, const double *end, size_t count, double separation, double tolerance, void *out)',
+    'int32_t abut_elements_create(abut_shape *shape, _Out_ abut_elements **out)',
+    'void abut_elements_destroy(abut_elements *elements)',
+    'int32_t abut_elements_count(abut_elements *elements, _Out_ abut_element_counts *out)',
+    'int32_t abut_elements_edges(abut_elements *elements, void *vertices, size_t capacity, _Out_ size_t *count)',
+    'int32_t abut_elements_set_vertices(abut_elements *elements, const double *start, const double *end, size_t vertex_count)',
+    'void abut_elements_options_init(_Out_ abut_elements_options *options, uint32_t struct_size)',
+    'int32_t abut_elements_candidates(abut_elements *a, abut_elements *b, const abut_elements_options *options, void *pairs, size_t capacity, _Out_ size_t *count)',
+    'int32_t abut_elements_closest(abut_elements *a, abut_elements *b, const abut_elements_options *options, void *stencils, size_t capacity, _Out_ size_t *count)',
+    'int32_t abut_elements_first_touches(abut_elements *a, abut_elements *b, const abut_elements_options *options, void *stencils, size_t capacity, _Out_ size_t *count)',
+    'int32_t abut_elements_crossings(abut_elements *a, abut_elements *b, const abut_elements_options *options, void *crossings, size_t capacity, _Out_ size_t *count)',
     'int32_t abut_movement_between(const abut_pose *start, const abut_pose *end, const abut_vec3 *centre, double duration, _Out_ abut_movement *out)',
     'void abut_impact_options_init(_Out_ abut_impact_options *options, uint32_t struct_size)',
     'int32_t abut_pair_time_of_impact(abut_shape *a, const abut_pose *pose_a, const abut_movement *movement_a, abut_shape *b, const abut_pose *pose_b, const abut_movement *movement_b, double duration, const abut_impact_options *options, _Out_ abut_impact *out)',

@@ -89,11 +89,43 @@ namespace Abut
         SeparatingTranslation = 7, Solid = 8, Field = 9, Hole = 10
     }
 
+    /// <summary>Bits of the flags of queries.</summary>
+    [Flags]
+    public enum QueryFlags : uint
+    {
+        None = 0, Welds = 1
+    }
+
     /// <summary>Bits of the flags of a contact.</summary>
     [Flags]
     public enum ContactFlags : uint
     {
         None = 0, Sensor = 1, Speculative = 2, ReducedAway = 4
+    }
+
+    /// <summary>Which closest features abut_elements_closest tells.</summary>
+    public enum ClosestMethod : uint
+    {
+        Features = 0, OfFaces = 1, All = 2, OfVertices = 3, LocalMinima = 4
+    }
+
+    /// <summary>Which features a stencil is of.</summary>
+    public enum StencilKind : uint
+    {
+        VertexFace = 0, EdgeEdge = 1, VertexEdge = 2, VertexVertex = 3
+    }
+
+    /// <summary>Bits of the flags of abut_elements_options.</summary>
+    [Flags]
+    public enum ElementsFlags : uint
+    {
+        None = 0, Only = 1
+    }
+
+    /// <summary>Two features whose boxes come near each other.</summary>
+    public enum ElementPairKind : uint
+    {
+        VertexFace = 0, EdgeEdge = 1, FaceVertex = 2
     }
 
     public enum ImpactState : uint
@@ -122,7 +154,7 @@ namespace Abut
     [Flags]
     public enum UniverseFlags : uint
     {
-        None = 0, Points = 1
+        None = 0, LocalPoints = 1, Welds = 2
     }
 
     /// <summary>How a part moves.</summary>
@@ -480,7 +512,7 @@ namespace Abut
         public uint MaxContacts;
         public uint MaxPairContacts;
         public uint Threads;
-        private readonly uint reserved;
+        public QueryFlags Flags;
     }
 
     /// <summary>Signed distance of two shapes.</summary>
@@ -537,6 +569,68 @@ namespace Abut
         private readonly uint reserved;
         public double Lower;
         public double Upper;
+    }
+
+    /// <summary>How many elements there are.</summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public partial struct ElementCounts
+    {
+        public ulong Vertices;
+        public ulong Edges;
+        public ulong Triangles;
+        public ulong Faces;
+    }
+
+    /// <summary>What a search of elements looks for.</summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public partial struct ElementsOptions
+    {
+        public uint StructSize;
+        public ClosestMethod Method;
+        public uint Kinds;
+        public ElementsFlags Flags;
+        public uint Threads;
+        private readonly uint reserved;
+        public double Reach;
+        public double Tolerance;
+        public double RestDistance;
+        public double ConeAngle;
+        public double ConeFactor;
+    }
+
+    /// <summary>Up to four vertices of two features that are near each other, 104 bytes.</summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public partial struct Stencil
+    {
+        public StencilKind Kind;
+        public uint OfA;
+        public uint ElementA;
+        public uint ElementB;
+        [MarshalAs(UnmanagedType.ByValArray, SizeConst = 4)] public uint[] Vertices;
+        [MarshalAs(UnmanagedType.ByValArray, SizeConst = 4)] public double[] Weights;
+        public Vector Normal;
+        public double Distance;
+        public double Toi;
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
+    public partial struct ElementPair
+    {
+        public ElementPairKind Kind;
+        public uint A;
+        public uint B;
+    }
+
+    /// <summary>An edge that passes a face.</summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public partial struct Crossing
+    {
+        public uint Edge;
+        public uint Face;
+        public uint EdgeIsOfB;
+        private readonly uint reserved;
+        public double Share;
+        public Vector Point;
     }
 
     /// <summary>How a body moves, in the world, by the unit of time.</summary>
@@ -1189,6 +1283,16 @@ namespace Abut
         [DllImport("abut")] internal static extern Status abut_pairs_overlap(IntPtr[] shapesA, Pose[] posesA, IntPtr[] shapesB, Pose[] posesB, UIntPtr count, QueryOptions[] options, [Out] uint[] @out);
         [DllImport("abut")] internal static extern Status abut_vertices_touch_faces(double[] start, double[] end, UIntPtr count, double separation, double tolerance, [Out] FirstTouch[] @out);
         [DllImport("abut")] internal static extern Status abut_edges_touch_edges(double[] start, double[] end, UIntPtr count, double separation, double tolerance, [Out] FirstTouch[] @out);
+        [DllImport("abut")] internal static extern Status abut_elements_create(Shape shape, out IntPtr @out);
+        [DllImport("abut")] internal static extern void abut_elements_destroy(IntPtr elements);
+        [DllImport("abut")] internal static extern Status abut_elements_count(IntPtr elements, out ElementCounts @out);
+        [DllImport("abut")] internal static extern Status abut_elements_edges(IntPtr elements, [Out] uint[] vertices, UIntPtr capacity, out UIntPtr count);
+        [DllImport("abut")] internal static extern Status abut_elements_set_vertices(IntPtr elements, double[] start, double[] end, UIntPtr vertexCount);
+        [DllImport("abut")] internal static extern void abut_elements_options_init(out ElementsOptions options, uint structSize);
+        [DllImport("abut")] internal static extern Status abut_elements_candidates(IntPtr a, IntPtr b, ElementsOptions[] options, [Out] ElementPair[] pairs, UIntPtr capacity, out UIntPtr count);
+        [DllImport("abut")] internal static extern Status abut_elements_closest(IntPtr a, IntPtr b, ElementsOptions[] options, [Out] Stencil[] stencils, UIntPtr capacity, out UIntPtr count);
+        [DllImport("abut")] internal static extern Status abut_elements_first_touches(IntPtr a, IntPtr b, ElementsOptions[] options, [Out] Stencil[] stencils, UIntPtr capacity, out UIntPtr count);
+        [DllImport("abut")] internal static extern Status abut_elements_crossings(IntPtr a, IntPtr b, ElementsOptions[] options, [Out] Crossing[] crossings, UIntPtr capacity, out UIntPtr count);
         [DllImport("abut")] internal static extern Status abut_movement_between(ref Pose start, ref Pose end, ref Vector centre, double duration, out Movement @out);
         [DllImport("abut")] internal static extern void abut_impact_options_init(out ImpactOptions options, uint structSize);
         [DllImport("abut")] internal static extern Status abut_pair_time_of_impact(Shape a, ref Pose poseA, ref Movement movementA, Shape b, ref Pose poseB, ref Movement movementB, double duration, ImpactOptions[] options, out Impact @out);
@@ -1401,6 +1505,11 @@ namespace Abut
             { typeof(Contact), 192 },
             { typeof(PairMemory), 64 },
             { typeof(FirstTouch), 24 },
+            { typeof(ElementCounts), 32 },
+            { typeof(ElementsOptions), 64 },
+            { typeof(Stencil), 104 },
+            { typeof(ElementPair), 12 },
+            { typeof(Crossing), 48 },
             { typeof(Movement), 120 },
             { typeof(ImpactOptions), 32 },
             { typeof(Impact), 136 },

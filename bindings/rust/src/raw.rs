@@ -302,6 +302,8 @@ pub const ABUT_ALGORITHM_SEPARATING_TRANSLATION: abut_algorithm = 7;
 pub const ABUT_ALGORITHM_SOLID: abut_algorithm = 8;
 pub const ABUT_ALGORITHM_FIELD: abut_algorithm = 9;
 pub const ABUT_ALGORITHM_HOLE: abut_algorithm = 10;
+pub type abut_query_flags = u32;
+pub const ABUT_QUERY_WELDS: abut_query_flags = 1;
 #[repr(C)]
 #[derive(Debug, Default, Copy, Clone)]
 pub struct abut_query_options {
@@ -312,7 +314,7 @@ pub struct abut_query_options {
     pub max_contacts: u32,
     pub max_pair_contacts: u32,
     pub threads: u32,
-    pub reserved: u32,
+    pub flags: abut_query_flags,
 }
 const _: [(); 40] = [(); ::std::mem::size_of::<abut_query_options>()];
 #[repr(C)]
@@ -376,12 +378,6 @@ const _: [(); 24] = [(); ::std::mem::size_of::<abut_first_touch>()];
 pub struct abut_elements {
     _unused: [u8; 0],
 }
-extern "C" {
-    pub fn abut_elements_create(shape: *const abut_shape, out: *mut *mut abut_elements) -> abut_status;
-}
-extern "C" {
-    pub fn abut_elements_destroy(elements: *mut abut_elements);
-}
 #[repr(C)]
 #[derive(Debug, Default, Copy, Clone)]
 pub struct abut_element_counts {
@@ -390,42 +386,21 @@ pub struct abut_element_counts {
     pub triangles: u64,
     pub faces: u64,
 }
-extern "C" {
-    pub fn abut_elements_count(elements: *const abut_elements, out: *mut abut_element_counts) -> abut_status;
-}
-extern "C" {
-    pub fn abut_elements_edges(
-        elements: *const abut_elements,
-        vertices: *mut u32,
-        capacity: usize,
-        count: *mut usize,
-    ) -> abut_status;
-}
-extern "C" {
-    pub fn abut_elements_set_vertices(
-        elements: *mut abut_elements,
-        start: *const f64,
-        end: *const f64,
-        vertex_count: usize,
-    ) -> abut_status;
-}
+const _: [(); 32] = [(); ::std::mem::size_of::<abut_element_counts>()];
 pub type abut_closest_method = u32;
-pub const ABUT_CLOSEST_FEATURES: abut_closest_method_value = 0;
-pub const ABUT_CLOSEST_OF_FACES: abut_closest_method_value = 1;
-pub const ABUT_CLOSEST_ALL: abut_closest_method_value = 2;
-pub const ABUT_CLOSEST_OF_VERTICES: abut_closest_method_value = 3;
-pub const ABUT_CLOSEST_LOCAL_MINIMA: abut_closest_method_value = 4;
-pub type abut_closest_method_value = ::std::os::raw::c_uint;
+pub const ABUT_CLOSEST_FEATURES: abut_closest_method = 0;
+pub const ABUT_CLOSEST_OF_FACES: abut_closest_method = 1;
+pub const ABUT_CLOSEST_ALL: abut_closest_method = 2;
+pub const ABUT_CLOSEST_OF_VERTICES: abut_closest_method = 3;
+pub const ABUT_CLOSEST_LOCAL_MINIMA: abut_closest_method = 4;
 pub type abut_stencil_kind = u32;
-pub const ABUT_STENCIL_VERTEX_FACE: abut_stencil_kind_value = 0;
-pub const ABUT_STENCIL_EDGE_EDGE: abut_stencil_kind_value = 1;
-pub const ABUT_STENCIL_VERTEX_EDGE: abut_stencil_kind_value = 2;
-pub const ABUT_STENCIL_VERTEX_VERTEX: abut_stencil_kind_value = 3;
-pub type abut_stencil_kind_value = ::std::os::raw::c_uint;
+pub const ABUT_STENCIL_VERTEX_FACE: abut_stencil_kind = 0;
+pub const ABUT_STENCIL_EDGE_EDGE: abut_stencil_kind = 1;
+pub const ABUT_STENCIL_VERTEX_EDGE: abut_stencil_kind = 2;
+pub const ABUT_STENCIL_VERTEX_VERTEX: abut_stencil_kind = 3;
 pub type abut_stencil_kinds = u32;
 pub type abut_elements_flags = u32;
-pub const ABUT_ELEMENTS_FRONTS_ONLY: abut_elements_flags_value = 1;
-pub type abut_elements_flags_value = ::std::os::raw::c_uint;
+pub const ABUT_ELEMENTS_FRONTS_ONLY: abut_elements_flags = 1;
 #[repr(C)]
 #[derive(Debug, Default, Copy, Clone)]
 pub struct abut_elements_options {
@@ -441,9 +416,7 @@ pub struct abut_elements_options {
     pub cone_angle: f64,
     pub cone_factor: f64,
 }
-extern "C" {
-    pub fn abut_elements_options_init(options: *mut abut_elements_options, struct_size: u32);
-}
+const _: [(); 64] = [(); ::std::mem::size_of::<abut_elements_options>()];
 #[repr(C)]
 #[derive(Debug, Default, Copy, Clone)]
 pub struct abut_stencil {
@@ -451,17 +424,17 @@ pub struct abut_stencil {
     pub of_a: u32,
     pub element_a: u32,
     pub element_b: u32,
-    pub vertices: [u32; 4usize],
-    pub weights: [f64; 4usize],
+    pub vertices: [u32; 4],
+    pub weights: [f64; 4],
     pub normal: abut_vec3,
     pub distance: f64,
     pub toi: f64,
 }
+const _: [(); 104] = [(); ::std::mem::size_of::<abut_stencil>()];
 pub type abut_element_pair_kind = u32;
-pub const ABUT_ELEMENT_PAIR_VERTEX_FACE: abut_element_pair_kind_value = 0;
-pub const ABUT_ELEMENT_PAIR_EDGE_EDGE: abut_element_pair_kind_value = 1;
-pub const ABUT_ELEMENT_PAIR_FACE_VERTEX: abut_element_pair_kind_value = 2;
-pub type abut_element_pair_kind_value = ::std::os::raw::c_uint;
+pub const ABUT_ELEMENT_PAIR_VERTEX_FACE: abut_element_pair_kind = 0;
+pub const ABUT_ELEMENT_PAIR_EDGE_EDGE: abut_element_pair_kind = 1;
+pub const ABUT_ELEMENT_PAIR_FACE_VERTEX: abut_element_pair_kind = 2;
 #[repr(C)]
 #[derive(Debug, Default, Copy, Clone)]
 pub struct abut_element_pair {
@@ -469,6 +442,7 @@ pub struct abut_element_pair {
     pub a: u32,
     pub b: u32,
 }
+const _: [(); 12] = [(); ::std::mem::size_of::<abut_element_pair>()];
 #[repr(C)]
 #[derive(Debug, Default, Copy, Clone)]
 pub struct abut_crossing {
@@ -479,46 +453,7 @@ pub struct abut_crossing {
     pub share: f64,
     pub point: abut_vec3,
 }
-extern "C" {
-    pub fn abut_elements_candidates(
-        a: *mut abut_elements,
-        b: *mut abut_elements,
-        options: *const abut_elements_options,
-        pairs: *mut abut_element_pair,
-        capacity: usize,
-        count: *mut usize,
-    ) -> abut_status;
-}
-extern "C" {
-    pub fn abut_elements_closest(
-        a: *mut abut_elements,
-        b: *mut abut_elements,
-        options: *const abut_elements_options,
-        stencils: *mut abut_stencil,
-        capacity: usize,
-        count: *mut usize,
-    ) -> abut_status;
-}
-extern "C" {
-    pub fn abut_elements_first_touches(
-        a: *mut abut_elements,
-        b: *mut abut_elements,
-        options: *const abut_elements_options,
-        stencils: *mut abut_stencil,
-        capacity: usize,
-        count: *mut usize,
-    ) -> abut_status;
-}
-extern "C" {
-    pub fn abut_elements_crossings(
-        a: *mut abut_elements,
-        b: *mut abut_elements,
-        options: *const abut_elements_options,
-        crossings: *mut abut_crossing,
-        capacity: usize,
-        count: *mut usize,
-    ) -> abut_status;
-}
+const _: [(); 48] = [(); ::std::mem::size_of::<abut_crossing>()];
 #[repr(C)]
 #[derive(Debug, Default, Copy, Clone)]
 pub struct abut_movement {
@@ -577,6 +512,7 @@ pub const ABUT_EVENTS_PERSIST: abut_event_bits = 2;
 pub const ABUT_EVENTS_CONTACTS: abut_event_bits = 4;
 pub type abut_universe_flags = u32;
 pub const ABUT_UNIVERSE_LOCAL_POINTS: abut_universe_flags = 1;
+pub const ABUT_UNIVERSE_WELDS: abut_universe_flags = 2;
 #[repr(C)]
 #[derive(Debug, Default, Copy, Clone)]
 pub struct abut_universe_options {
@@ -1034,6 +970,16 @@ extern "C" {
     pub fn abut_pairs_overlap(shapes_a: *const *const abut_shape, poses_a: *const abut_pose, shapes_b: *const *const abut_shape, poses_b: *const abut_pose, count: usize, options: *const abut_query_options, out: *mut u32) -> abut_status;
     pub fn abut_vertices_touch_faces(start: *const f64, end: *const f64, count: usize, separation: f64, tolerance: f64, out: *mut abut_first_touch) -> abut_status;
     pub fn abut_edges_touch_edges(start: *const f64, end: *const f64, count: usize, separation: f64, tolerance: f64, out: *mut abut_first_touch) -> abut_status;
+    pub fn abut_elements_create(shape: *const abut_shape, out: *mut *mut abut_elements) -> abut_status;
+    pub fn abut_elements_destroy(elements: *mut abut_elements);
+    pub fn abut_elements_count(elements: *const abut_elements, out: *mut abut_element_counts) -> abut_status;
+    pub fn abut_elements_edges(elements: *const abut_elements, vertices: *mut u32, capacity: usize, count: *mut usize) -> abut_status;
+    pub fn abut_elements_set_vertices(elements: *mut abut_elements, start: *const f64, end: *const f64, vertex_count: usize) -> abut_status;
+    pub fn abut_elements_options_init(options: *mut abut_elements_options, struct_size: u32);
+    pub fn abut_elements_candidates(a: *mut abut_elements, b: *mut abut_elements, options: *const abut_elements_options, pairs: *mut abut_element_pair, capacity: usize, count: *mut usize) -> abut_status;
+    pub fn abut_elements_closest(a: *mut abut_elements, b: *mut abut_elements, options: *const abut_elements_options, stencils: *mut abut_stencil, capacity: usize, count: *mut usize) -> abut_status;
+    pub fn abut_elements_first_touches(a: *mut abut_elements, b: *mut abut_elements, options: *const abut_elements_options, stencils: *mut abut_stencil, capacity: usize, count: *mut usize) -> abut_status;
+    pub fn abut_elements_crossings(a: *mut abut_elements, b: *mut abut_elements, options: *const abut_elements_options, crossings: *mut abut_crossing, capacity: usize, count: *mut usize) -> abut_status;
     pub fn abut_movement_between(start: *const abut_pose, end: *const abut_pose, centre: *const abut_vec3, duration: f64, out: *mut abut_movement) -> abut_status;
     pub fn abut_impact_options_init(options: *mut abut_impact_options, struct_size: u32);
     pub fn abut_pair_time_of_impact(a: *const abut_shape, pose_a: *const abut_pose, movement_a: *const abut_movement, b: *const abut_shape, pose_b: *const abut_pose, movement_b: *const abut_movement, duration: f64, options: *const abut_impact_options, out: *mut abut_impact) -> abut_status;

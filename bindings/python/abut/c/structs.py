@@ -11,13 +11,14 @@ from .base import Address, Double, Doubles, Id, Numbers, Struct, Text, UInt32, U
 
 __all__ = ["Vec3", "Quat", "Pose", "Aabb", "PartId", "GeometryId", "Feature", "HullReport", "MeshOptions", "MeshReport",
     "UvGridOptions", "HeightFieldDesc", "DistanceFieldDesc", "DistanceFieldOptions", "DistanceFieldReport", "ShapeDesc",
-    "Ray", "RayHit", "QueryOptions", "Distance", "Contact", "PairMemory", "FirstTouch", "Movement", "ImpactOptions",
-    "Impact", "UniverseOptions", "PartOptions", "Sleep", "GeometryOptions", "GeometryInfo", "Revision", "Collidable",
-    "Policy", "Focus", "ContactMaterial", "Event", "SleepChange", "LocalPoints", "StepStats", "Finding", "Island",
-    "Velocity", "Acceleration", "StepImpact", "QueryFilter", "QueryHit", "CastHit", "ImpactHit", "Closest",
-    "LayoutEntry", "Pick", "Camera", "ContactProblem", "SolverOptions", "Residuals", "MassProperties",
-    "ResponseOptions", "BodyOptions", "ContactLaw", "ResponseSide", "LinkOptions", "ResponseContact", "ResponseObject",
-    "ResponseIsland", "Energy", "ResponseFinding"]
+    "Ray", "RayHit", "QueryOptions", "Distance", "Contact", "PairMemory", "FirstTouch", "ElementCounts",
+    "ElementsOptions", "Stencil", "ElementPair", "Crossing", "Movement", "ImpactOptions", "Impact", "UniverseOptions",
+    "PartOptions", "Sleep", "GeometryOptions", "GeometryInfo", "Revision", "Collidable", "Policy", "Focus",
+    "ContactMaterial", "Event", "SleepChange", "LocalPoints", "StepStats", "Finding", "Island", "Velocity",
+    "Acceleration", "StepImpact", "QueryFilter", "QueryHit", "CastHit", "ImpactHit", "Closest", "LayoutEntry", "Pick",
+    "Camera", "ContactProblem", "SolverOptions", "Residuals", "MassProperties", "ResponseOptions", "BodyOptions",
+    "ContactLaw", "ResponseSide", "LinkOptions", "ResponseContact", "ResponseObject", "ResponseIsland", "Energy",
+    "ResponseFinding"]
 
 
 @struct
@@ -206,7 +207,7 @@ class QueryOptions(Struct):
     max_contacts: UInt32
     max_pair_contacts: UInt32
     threads: UInt32
-    reserved: UInt32
+    flags: UInt32
 
 
 @struct
@@ -255,6 +256,59 @@ class FirstTouch(Struct):
     reserved: UInt32
     lower: Double
     upper: Double
+
+
+@struct
+class ElementCounts(Struct):
+    vertices: UInt64
+    edges: UInt64
+    triangles: UInt64
+    faces: UInt64
+
+
+@struct
+class ElementsOptions(Struct):
+    struct_size: UInt32
+    method: UInt32
+    kinds: UInt32
+    flags: UInt32
+    threads: UInt32
+    reserved: UInt32
+    reach: Double
+    tolerance: Double
+    rest_distance: Double
+    cone_angle: Double
+    cone_factor: Double
+
+
+@struct
+class Stencil(Struct):
+    kind: UInt32
+    of_a: UInt32
+    element_a: UInt32
+    element_b: UInt32
+    vertices: Annotated[Any, c_uint32 * 4]
+    weights: Annotated[Any, c_double * 4]
+    normal: Vec3
+    distance: Double
+    toi: Double
+
+
+@struct
+class ElementPair(Struct):
+    kind: UInt32
+    a: UInt32
+    b: UInt32
+
+
+@struct
+class Crossing(Struct):
+    edge: UInt32
+    face: UInt32
+    edge_is_of_b: UInt32
+    reserved: UInt32
+    share: Double
+    point: Vec3
 
 
 @struct
