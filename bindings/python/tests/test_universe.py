@@ -55,6 +55,18 @@ class Universes(unittest.TestCase):
             points, = universe.local_points()
             self.assertEqual((points.a.x, points.b.x), (1, -1))
 
+    def test_welds(self):
+        for flags, normals in ((0, {(0, 0, 1), (-1, 0, 0)}), (abut.UNIVERSE_WELDS, {(0, 0, 1)})):
+            with abut.Universe(flags=flags) as universe, abut.Shape.box(1, 1, 1) as tile, \
+                    abut.Shape.box(0.5, 0.5, 0.5) as box:
+                for x in (0, 2):
+                    universe.add_geometry(universe.add_part(pose=abut.pose(x, 0, -1), motion=abut.MOTION_STATIC), tile)
+                universe.add_geometry(universe.add_part(pose=abut.pose(0.505, 0, 0.49)), box)
+                universe.step()
+                found = universe.contacts()
+                self.assertEqual({(round(each.normal.x), round(each.normal.y), round(each.normal.z))
+                                  for each in found}, normals)
+
     def test_events(self):
         self.assertEqual(self.events_of_a_step(), [(abut.EVENT_BEGIN, 0, 1), (abut.EVENT_BEGIN, 1, 2)])
         first = self.universe.hash()
