@@ -97,6 +97,7 @@ static_assert(static_cast<abut_algorithm>(Algorithm::separating_translation) == 
 static_assert(static_cast<abut_algorithm>(Algorithm::solid) == ABUT_ALGORITHM_SOLID);
 static_assert(static_cast<abut_algorithm>(Algorithm::field) == ABUT_ALGORITHM_FIELD);
 static_assert(static_cast<abut_algorithm>(Algorithm::hole) == ABUT_ALGORITHM_HOLE);
+static_assert(static_cast<abut_algorithm>(Algorithm::rims) == ABUT_ALGORITHM_RIMS);
 
 }  // namespace abut::capi
 

@@ -111,7 +111,7 @@ typedef struct abut_ray { abut_vec3 origin; abut_vec3 direction; double max_dist
 typedef struct abut_ray_hit { double distance; abut_vec3 point; abut_vec3 normal; abut_feature feature; uint32_t child; uint32_t reserved; } abut_ray_hit;
 abut_status abut_shape_cast_ray(const abut_shape *shape, const abut_pose *pose, const abut_ray *ray, abut_ray_hit *hit, uint32_t *found);
 typedef uint32_t abut_algorithm;
-enum abut_algorithm_value { ABUT_ALGORITHM_AUTO = 0, ABUT_ALGORITHM_ANALYTIC = 1, ABUT_ALGORITHM_SAT = 2, ABUT_ALGORITHM_GJK_EPA = 3, ABUT_ALGORITHM_LIBCCD_GJK = 4, ABUT_ALGORITHM_LIBCCD_MPR = 5, ABUT_ALGORITHM_FLAT_GROUND = 6, ABUT_ALGORITHM_SEPARATING_TRANSLATION = 7, ABUT_ALGORITHM_SOLID = 8, ABUT_ALGORITHM_FIELD = 9, ABUT_ALGORITHM_HOLE = 10 };
+enum abut_algorithm_value { ABUT_ALGORITHM_AUTO = 0, ABUT_ALGORITHM_ANALYTIC = 1, ABUT_ALGORITHM_SAT = 2, ABUT_ALGORITHM_GJK_EPA = 3, ABUT_ALGORITHM_LIBCCD_GJK = 4, ABUT_ALGORITHM_LIBCCD_MPR = 5, ABUT_ALGORITHM_FLAT_GROUND = 6, ABUT_ALGORITHM_SEPARATING_TRANSLATION = 7, ABUT_ALGORITHM_SOLID = 8, ABUT_ALGORITHM_FIELD = 9, ABUT_ALGORITHM_HOLE = 10, ABUT_ALGORITHM_RIMS = 11 };
 typedef uint32_t abut_query_flags;
 enum abut_query_flags_value { ABUT_QUERY_WELDS = 1 };
 typedef struct abut_query_options { uint32_t struct_size; abut_algorithm algorithm; double error_bound; double margin; uint32_t max_contacts; uint32_t max_pair_contacts; uint32_t threads; abut_query_flags flags; } abut_query_options;

@@ -746,7 +746,8 @@ enum abut_algorithm_value ABUT_ENUM(uint32_t) {
   ABUT_ALGORITHM_SEPARATING_TRANSLATION = 7, /**< the shortest translation found that parts a shape from a surface */
   ABUT_ALGORITHM_SOLID = 8,       /**< the shortest way out of a solid surface */
   ABUT_ALGORITHM_FIELD = 9,       /**< points that go down the values of a distance field */
-  ABUT_ALGORITHM_HOLE = 10        /**< the walls of a hole */
+  ABUT_ALGORITHM_HOLE = 10,       /**< the walls of a hole */
+  ABUT_ALGORITHM_RIMS = 11        /**< all directions in which the overlap of round rims may be least */
 };
 
 /** Bits of the flags of queries. */

@@ -96,7 +96,8 @@ enum class Algorithm : std::uint32_t {
   separating_translation,
   solid,
   field,
-  hole
+  hole,
+  rims
 };
 
 // Whether closed forms may answer.

@@ -1808,7 +1808,7 @@ std::vector<Struct> structs_of_abut() {
      .init = [](void* place, std::uint32_t size) { abut_query_options_init(static_cast<abut_query_options*>(place), size); },
      .fields = {
         {.name = "struct_size", .role = Role::number, .type = "uint32_t", .size = 4, .offset = 0},
-        {.name = "algorithm", .role = Role::choice, .type = "abut_algorithm", .size = 4, .offset = 4, .known = 10},
+        {.name = "algorithm", .role = Role::choice, .type = "abut_algorithm", .size = 4, .offset = 4, .known = 11},
         {.name = "error_bound", .role = Role::number, .type = "double", .size = 8, .offset = 8, .is_real = true},
         {.name = "margin", .role = Role::number, .type = "double", .size = 8, .offset = 16, .is_real = true},
         {.name = "max_contacts", .role = Role::number, .type = "uint32_t", .size = 4, .offset = 24, .range = {.least = 0.0}},
@@ -1825,7 +1825,7 @@ std::vector<Struct> structs_of_abut() {
         {.name = "point_a", .role = Role::structure, .type = "abut_vec3", .size = 24, .offset = 24},
         {.name = "point_b", .role = Role::structure, .type = "abut_vec3", .size = 24, .offset = 48},
         {.name = "normal", .role = Role::structure, .type = "abut_vec3", .size = 24, .offset = 72},
-        {.name = "algorithm", .role = Role::choice, .type = "abut_algorithm", .size = 4, .offset = 96, .known = 10},
+        {.name = "algorithm", .role = Role::choice, .type = "abut_algorithm", .size = 4, .offset = 96, .known = 11},
         {.name = "iterations", .role = Role::number, .type = "uint32_t", .size = 4, .offset = 100},
      }},
     {.name = "abut_contact", .size = sizeof(abut_contact),
@@ -2032,7 +2032,7 @@ std::vector<Struct> structs_of_abut() {
      .init = [](void* place, std::uint32_t size) { abut_policy_init(static_cast<abut_policy*>(place), size); },
      .fields = {
         {.name = "struct_size", .role = Role::number, .type = "uint32_t", .size = 4, .offset = 0},
-        {.name = "algorithm", .role = Role::choice, .type = "abut_algorithm", .size = 4, .offset = 4, .known = 10},
+        {.name = "algorithm", .role = Role::choice, .type = "abut_algorithm", .size = 4, .offset = 4, .known = 11},
         {.name = "detail", .role = Role::choice, .type = "abut_detail", .size = 4, .offset = 8, .known = 3},
         {.name = "period", .role = Role::number, .type = "uint32_t", .size = 4, .offset = 12, .range = {.least = 1.0}},
         {.name = "tolerance", .role = Role::number, .type = "double", .size = 8, .offset = 16, .is_real = true},

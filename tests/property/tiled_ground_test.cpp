@@ -135,10 +135,10 @@ Tally judge(double height, std::uint64_t seed) {
   Tally tally;
   Random random(seed);
   const std::vector<Body> bodies = property::convex_bodies(random);
-  for (std::uint32_t scene = 0; scene < 6; ++scene) {
+  for (std::uint32_t scene = 0; scene < 4; ++scene) {
     const Tiled its = ground(height, scene % 3 + 1, scene % 2 == 0 ? ABUT_SIDES_BOTH : ABUT_SIDES_FRONT, random);
     for (const Body& body : bodies) {
-      for (int i = 0; i < 10; ++i) {
+      for (int i = 0; i < 5; ++i) {
         abut_pose pose = random_pose(random, 1);
         pose.position.z = uniform(random, -0.1, 0.5);
         const abut_distance whole = distance(its.whole, body.shape, pose);
@@ -170,7 +170,7 @@ TEST_P(TiledGround, IsOneGround) {
   for (const double height : {0.0, 0.1, 0.4}) {
     SCOPED_TRACE(testing::Message() << "seed " << GetParam() << ", height " << height);
     const Tally tally = judge(height, GetParam());
-    EXPECT_GT(tally.overlapping, 200);
+    EXPECT_GT(tally.overlapping, 100);
     EXPECT_EQ(tally.stuck, 0);
     EXPECT_LE(200 * tally.stuck_behind, tally.overlapping);
     // Deep in spikes another order of triangles leads to another way.
@@ -178,6 +178,6 @@ TEST_P(TiledGround, IsOneGround) {
     EXPECT_LE(40 * tally.ghosts, tally.overlapping);
   }
 }
-INSTANTIATE_TEST_SUITE_P(Seeds, TiledGround, testing::Values(1, 2, 3));
+INSTANTIATE_TEST_SUITE_P(Seeds, TiledGround, testing::Values(1, 2));
 
 }  // namespace

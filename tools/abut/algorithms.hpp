@@ -16,11 +16,12 @@ inline constexpr std::array<Choice, 6> algorithms{{{"auto", ABUT_ALGORITHM_AUTO}
                                                    {"libccd_mpr", ABUT_ALGORITHM_LIBCCD_MPR}}};
 
 // Those that answers tell and nobody asks for.
-inline constexpr std::array<Choice, 5> stages{{{"flat ground", ABUT_ALGORITHM_FLAT_GROUND},
+inline constexpr std::array<Choice, 6> stages{{{"flat ground", ABUT_ALGORITHM_FLAT_GROUND},
                                                {"separating translation", ABUT_ALGORITHM_SEPARATING_TRANSLATION},
                                                {"solid", ABUT_ALGORITHM_SOLID},
                                                {"field", ABUT_ALGORITHM_FIELD},
-                                               {"hole", ABUT_ALGORITHM_HOLE}}};
+                                               {"hole", ABUT_ALGORITHM_HOLE},
+                                               {"rims", ABUT_ALGORITHM_RIMS}}};
 
 [[nodiscard]] inline std::string algorithm_name(abut_algorithm algorithm) {
   return std::string(algorithm < algorithms.size() ? algorithms[algorithm].name

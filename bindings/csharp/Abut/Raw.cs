@@ -86,7 +86,7 @@ namespace Abut
     public enum Algorithm : uint
     {
         Auto = 0, Analytic = 1, Sat = 2, GjkEpa = 3, LibccdGjk = 4, LibccdMpr = 5, FlatGround = 6,
-        SeparatingTranslation = 7, Solid = 8, Field = 9, Hole = 10
+        SeparatingTranslation = 7, Solid = 8, Field = 9, Hole = 10, Rims = 11
     }
 
     /// <summary>Bits of the flags of queries.</summary>

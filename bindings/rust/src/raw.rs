@@ -302,6 +302,7 @@ pub const ABUT_ALGORITHM_SEPARATING_TRANSLATION: abut_algorithm = 7;
 pub const ABUT_ALGORITHM_SOLID: abut_algorithm = 8;
 pub const ABUT_ALGORITHM_FIELD: abut_algorithm = 9;
 pub const ABUT_ALGORITHM_HOLE: abut_algorithm = 10;
+pub const ABUT_ALGORITHM_RIMS: abut_algorithm = 11;
 pub type abut_query_flags = u32;
 pub const ABUT_QUERY_WELDS: abut_query_flags = 1;
 #[repr(C)]

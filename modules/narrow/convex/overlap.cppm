@@ -200,6 +200,7 @@ template <Convex A, Convex B>
       return false;
     }
     set_depth(depth, size, core);
+    core.algorithm = Algorithm::rims;
     core.features = least->features;
     core.points_open = false;
     return true;

@@ -284,10 +284,15 @@ Outcome children_distance(const AnyShape& a, const AnyShape& b, const Pose& pose
         const bool is_apart = best.distance < 0 && contact.distance > 0;
         return std::pair(is_apart, std::fabs(contact.distance - best.distance));
       });
-      best = {left.distance,  std::min(best.lower, left.distance),
-              left.distance,  left.point_a,
-              left.point_b,   left.normal,
-              best.algorithm, best.iterations};
+      const bool is_of_solids = left.distance == best.distance;
+      best = {left.distance,
+              std::min(best.lower, left.distance),
+              left.distance,
+              left.point_a,
+              left.point_b,
+              left.normal,
+              is_of_solids ? best.algorithm : Algorithm::hole,
+              best.iterations};
     }
   }
   if (outcome == Outcome::ok && settings.welds && best.distance < 0 && !a.has_holes() && !b.has_holes()) {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 module abut.pairs.registry.convex_on_source;
 import abut.capability;
-import abut.core.standard;
 import abut.math;
 import abut.narrow.many.flat_ground;
 import abut.narrow.many.surface_kernels;

@@ -10,7 +10,6 @@ import abut.narrow.convex;
 import abut.narrow.many.kept_side;
 import abut.narrow.many.kept_source;
 import abut.narrow.many.surfaces;
-import abut.narrow.many.nearest_of_parts;
 import abut.narrow.many.triangle_contacts;
 import abut.narrow.many.triangle_source;
 import abut.narrow.warm.side_memory;
@@ -89,8 +88,8 @@ std::vector<TouchedPart> touched_parts(std::span<const Triangle> near, const Bod
   return touched;
 }
 
-// A body that is wholly behind a triangle which it touches within the margin is led back through its plane, the
-// shortest way that there is.
+// A body may be wholly behind a triangle that it touches within the margin. It is led back through the plane of one,
+// the shortest way that there is.
 template <class Body>
 std::optional<ContactPoint> way_back(std::span<const TouchedPart> touched, const SidesOfParts& sides, const Body& body,
                                      const Pose& ab) {

@@ -190,7 +190,8 @@ void settle_seams(const PlacedSide& composite, const PlacedSide& other, const Qu
           const std::size_t added = kept.size();
           kept.insert(kept.end(), seams[i].added.begin(), seams[i].added.end());
           const AnyShape &a = is_b ? other.shape : composite.shape, &b = is_b ? composite.shape : other.shape;
-          name_children(a, b, is_b ? number_of_body : children[i], is_b ? children[i] : number_of_body, added, kept);
+          name_children(a, b, is_b ? number_of_body : children[i], is_b ? children[i] : number_of_body,
+                        std::span(kept).subspan(added));
         }
       }
     }

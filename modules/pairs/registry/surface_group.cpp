@@ -5,7 +5,6 @@ import abut.core.standard;
 import abut.core;
 import abut.math;
 import abut.math.tolerance;
-import abut.narrow.many.nearest_of_parts;
 import abut.narrow.many.surfaces;
 import abut.narrow.many.triangle_point;
 import abut.narrow.many.triangle_source;

@@ -40,6 +40,14 @@ TEST(Routes, AreToldOfConvexShapesFieldsAndHoles) {
   const Shape field = make_of_kind("distance_field", {2, 2, 2, 1, 1, 1, 0, 0, 0, 0}, {0, 0, 0, 0, 1, 1, 1, 1});
   EXPECT_EQ(route_of(field, identity, ball, at(0.5, 0.5, 0.8)), ABUT_ALGORITHM_FIELD);
   EXPECT_EQ(route_of(sphere_hole(1), identity, make_octahedron(0.1), at(0.8, 0, 0)), ABUT_ALGORITHM_HOLE);
+  const Shape block =
+      make_composite({make_box(1, 1, 0.6), make_of_kind("cylinder_hole", {0.5, 0.7, 0})}, {identity, identity});
+  EXPECT_EQ(route_of(block, identity, make_of_kind("cylinder", {0.45, 0.75}), at(0.055, 0, 0)), ABUT_ALGORITHM_HOLE);
+}
+
+TEST(Routes, AreToldOfRims) {
+  const Shape box = make_box(0.5, 0.5, 0.5), cylinder = make_of_kind("cylinder", {0.5, 0.5});
+  EXPECT_EQ(route_of(box, identity, cylinder, {{0.6, 0.5, 0.7}, {0.8, 0.6, 0, 0}}), ABUT_ALGORITHM_RIMS);
 }
 
 }  // namespace

@@ -29,6 +29,11 @@ using abut::Vec3;
 // Triangles one after the other, in fours.
 class Soup final : public abut::TriangleSource {
  public:
+  Soup() = default;
+  Soup(const Soup& other) : TriangleSource(), triangles(other.triangles), its_sides(other.its_sides) {}
+  Soup& operator=(const Soup&) = delete;
+  ~Soup() override = default;
+
   std::vector<TriangleCorners> triangles;
   abut::StoppingSides its_sides = abut::StoppingSides::both;
 
