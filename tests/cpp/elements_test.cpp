@@ -7,15 +7,15 @@
 
 namespace {
 
-const std::vector<double> ground{-1, -1, 0, 2, -1, 0, -1, 2, 0}, tip{0, 0, 1, 0.2, 0, 2, 0, 0.2, 2},
-    below{0, 0, -0.5, 0.2, 0, 0.5, 0, 0.2, 0.5};
+const std::vector<double> sheet{-1, -1, 0, 2, -1, 0, -1, 2, 0}, tip{0, 0, 1, 0.2, 0, 2, 0, 0.2, 2},
+    tip_below{0, 0, -0.5, 0.2, 0, 0.5, 0, 0.2, 0.5};
 
 abut::Elements elements_of(const std::vector<double>& xyz) {
   return abut::Elements::of(abut::Shape::mesh(xyz, {{0, 1, 2}}));
 }
 
 TEST(Elements, TellWhatIsNearAndWhatTouches) {
-  abut::Elements a = elements_of(tip), b = elements_of(ground);
+  abut::Elements a = elements_of(tip), b = elements_of(sheet);
   EXPECT_EQ(a.count().faces, 1U);
   EXPECT_EQ(a.edges().size(), 3U);
   const auto near = abut::ElementsOptions().with_reach(1).with_method(ABUT_CLOSEST_ALL);
@@ -26,13 +26,13 @@ TEST(Elements, TellWhatIsNearAndWhatTouches) {
   EXPECT_EQ(a.candidates(b, near).size(), 8U);
   EXPECT_TRUE(a.candidates(near).empty());
 
-  a.set_vertices(tip, below);
+  a.set_vertices(tip, tip_below);
   const std::vector<abut::Stencil> touches = a.first_touches(b);
   ASSERT_EQ(touches.size(), 1U);
   EXPECT_NEAR(touches[0].toi, 2.0 / 3, 1e-9);
   EXPECT_TRUE(a.first_touches().empty());
   EXPECT_TRUE(a.crossings(b).empty());
-  a.set_vertices(below);
+  a.set_vertices(tip_below);
   EXPECT_EQ(a.crossings(b).size(), 2U);
   EXPECT_TRUE(a.crossings().empty());
 }

@@ -106,6 +106,10 @@ World::World() : universe_(&options()), shapes_(make_shapes()) {
 
 void World::add_extensions() {
   saved_.push_back(saved_as<abut_universe>(universe_, abut_universe_save));
+  // Of the first shape that has triangles.
+  for (std::size_t i = 0; i < shapes_.size() && elements_ == nullptr; ++i) {
+    static_cast<void>(abut_elements_create(shapes_[i], &elements_));
+  }
 #ifdef ABUT_TABLE_HAS_PICKING
   require(abut_picker_create(universe_, &picker_));
 #endif
@@ -131,6 +135,7 @@ World::~World() {
 #ifdef ABUT_TABLE_HAS_PICKING
   abut_picker_destroy(picker_);
 #endif
+  abut_elements_destroy(elements_);
 }
 
 std::vector<unsigned char> World::state() const {
@@ -147,6 +152,7 @@ std::vector<unsigned char> World::state() const {
 
 const void* World::object(std::string_view type, std::size_t kind) const {
   if (type == "abut_shape") return shape(kind);
+  if (type == "abut_elements") return elements_;
 #ifdef ABUT_TABLE_HAS_PICKING
   if (type == "abut_picker") return picker_;
 #endif
@@ -160,6 +166,7 @@ const void* World::object(std::string_view type, std::size_t kind) const {
 void release(std::string_view type, void* object) {
   if (type == "abut_shape") abut_shape_release(static_cast<abut_shape*>(object));
   if (type == "abut_universe") abut_universe_destroy(static_cast<abut_universe*>(object));
+  if (type == "abut_elements") abut_elements_destroy(static_cast<abut_elements*>(object));
 #ifdef ABUT_TABLE_HAS_PICKING
   if (type == "abut_picker") abut_picker_destroy(static_cast<abut_picker*>(object));
 #endif

@@ -52,6 +52,7 @@ class World {
   std::vector<std::uint64_t> stale_parts_, stale_geometries_;
   std::vector<std::vector<unsigned char>> saved_;
   std::vector<unsigned char> before_;
+  abut_elements* elements_ = nullptr;
 #ifdef ABUT_TABLE_HAS_PICKING
   abut_picker* picker_ = nullptr;
 #endif

@@ -65,7 +65,7 @@ def _constants(interface):
 def _structs(interface):
     structs = [struct for header in interface.headers for struct in header.all(Struct)]
     yield '"""Structs of the headers, field by field."""\n\nfrom __future__ import annotations\n'
-    yield "from ctypes import c_char, c_double, c_uint64\nfrom typing import Annotated, Any\n"
+    yield "from ctypes import c_char, c_double, c_uint32, c_uint64\nfrom typing import Annotated, Any\n"
     yield "from .base import Address, Double, Doubles, Id, Numbers, Struct, Text, UInt32, UInt32s, UInt64, struct\n"
     yield _list("__all__", [f'"{class_name(struct.name)}"' for struct in structs])
     for struct in structs:

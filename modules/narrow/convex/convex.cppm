@@ -208,7 +208,8 @@ template <Convex A, Convex B>
                                                           const QuerySettings& settings) {
   CoreSeparation core = separate_cores(a, b, ab, settings, settings.margin + (a.radius() + b.radius()));
   if constexpr (are_featured<A, B>) {
-    if (settings.algorithm == Algorithm::automatic && core.overlap && core.algorithm == Algorithm::gjk_epa) {
+    if (settings.algorithm == Algorithm::automatic && core.overlap &&
+        (core.algorithm == Algorithm::gjk_epa || core.algorithm == Algorithm::rims)) {
       const Real size = core_size(a, b, ab);
       settle_on_features(a, b, ab, size, error_of(a, b, size, settings), core);
     }

@@ -4,7 +4,7 @@
 
 from __future__ import annotations
 
-from ctypes import c_char, c_double, c_uint64
+from ctypes import c_char, c_double, c_uint32, c_uint64
 from typing import Annotated, Any
 
 from .base import Address, Double, Doubles, Id, Numbers, Struct, Text, UInt32, UInt32s, UInt64, struct
