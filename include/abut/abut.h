@@ -1059,7 +1059,7 @@ ABUT_API abut_status abut_elements_edges(const abut_elements *elements, uint32_t
 /**
  * Where the vertices are: at the start of a step, and at its end. Between the two they move on straight lines.
  * @param start         vertex_count * 3 numbers, copied, at most 1e50 in magnitude
- * @param end           the same for the end; may be null: nothing moves
+ * @param end           vertex_count * 3 numbers of the end, likewise; may be null: nothing moves
  * @param vertex_count  as many as there are, else ABUT_INVALID_ARGUMENT
  * The tree keeps the form that it has from the rest shape. Its boxes are fitted by the next search, at 3 ms for 92,000
  * triangles. Complexity O(n). [any]

@@ -7,7 +7,7 @@
 
 namespace {
 
-const std::vector<double> sheet{-1, -1, 0, 2, -1, 0, -1, 2, 0}, tip{0, 0, 1, 0.2, 0, 2, 0, 0.2, 2},
+const std::vector<double> square{-1, -1, 0, 2, -1, 0, -1, 2, 0}, tip{0, 0, 1, 0.2, 0, 2, 0, 0.2, 2},
     tip_below{0, 0, -0.5, 0.2, 0, 0.5, 0, 0.2, 0.5};
 
 abut::Elements elements_of(const std::vector<double>& xyz) {
@@ -15,7 +15,7 @@ abut::Elements elements_of(const std::vector<double>& xyz) {
 }
 
 TEST(Elements, TellWhatIsNearAndWhatTouches) {
-  abut::Elements a = elements_of(tip), b = elements_of(sheet);
+  abut::Elements a = elements_of(tip), b = elements_of(square);
   EXPECT_EQ(a.count().faces, 1U);
   EXPECT_EQ(a.edges().size(), 3U);
   const auto near = abut::ElementsOptions().with_reach(1).with_method(ABUT_CLOSEST_ALL);
@@ -50,12 +50,12 @@ TEST(Elements, AnswerLongLists) {
       }
     }
   }
-  abut::Elements sheet = abut::Elements::of(abut::Shape::mesh(xyz, triangles));
-  EXPECT_EQ(sheet.edges().size(), 7301U);
+  abut::Elements folded = abut::Elements::of(abut::Shape::mesh(xyz, triangles));
+  EXPECT_EQ(folded.edges().size(), 7301U);
   const auto near = abut::ElementsOptions().with_reach(1.5);
-  const std::vector<abut::Stencil> closest = sheet.closest(near);
+  const std::vector<abut::Stencil> closest = folded.closest(near);
   EXPECT_GT(closest.size(), 1024U);
-  EXPECT_EQ(sheet.closest(near).size(), closest.size());
+  EXPECT_EQ(folded.closest(near).size(), closest.size());
 }
 
 TEST(Elements, RefuseWhatIsWrong) {

@@ -516,7 +516,7 @@ std::vector<Function> functions_of_abut() {
      .arguments = {
         {.name = "elements", .role = Role::handle, .type = "abut_elements", .size = 8, .is_pointer = true},
         {.name = "start", .role = Role::number, .type = "double", .size = 8, .is_pointer = true, .length = "vertex_count * 3", .is_real = true},
-        {.name = "end", .role = Role::number, .type = "double", .size = 8, .is_pointer = true, .length = "vertex_count", .may_be_null = true, .is_real = true},
+        {.name = "end", .role = Role::number, .type = "double", .size = 8, .is_pointer = true, .length = "vertex_count * 3", .may_be_null = true, .is_real = true},
         {.name = "vertex_count", .role = Role::number, .type = "size_t", .size = 8},
      }},
     {.name = "abut_elements_candidates",

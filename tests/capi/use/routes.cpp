@@ -42,7 +42,7 @@ TEST(Routes, AreToldOfConvexShapesFieldsAndHoles) {
   EXPECT_EQ(route_of(sphere_hole(1), identity, make_octahedron(0.1), at(0.8, 0, 0)), ABUT_ALGORITHM_HOLE);
   const Shape block =
       make_composite({make_box(1, 1, 0.6), make_of_kind("cylinder_hole", {0.5, 0.7, 3})}, {identity, identity});
-  EXPECT_EQ(route_of(block, identity, make_of_kind("cylinder", {0.45, 0.75}), at(0.055, 0, 0)), ABUT_ALGORITHM_HOLE);
+  EXPECT_EQ(route_of(block, identity, make_of_kind("cylinder", {0.45, 0.3}), at(0.055, 0, 0)), ABUT_ALGORITHM_HOLE);
 }
 
 TEST(Routes, AreToldOfRims) {
