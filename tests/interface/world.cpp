@@ -106,10 +106,10 @@ World::World() : universe_(&options()), shapes_(make_shapes()) {
 
 void World::add_extensions() {
   saved_.push_back(saved_as<abut_universe>(universe_, abut_universe_save));
-  // Of the first shape that has triangles.
-  for (std::size_t i = 0; i < shapes_.size() && elements_ == nullptr; ++i) {
-    static_cast<void>(abut_elements_create(shapes_[i], &elements_));
-  }
+  // As many vertices as arrays have at first.
+  const Shape mesh =
+      made([](abut_shape** out) { return abut_mesh_create(corners.data(), 4, faces.data(), 4, nullptr, out); });
+  static_cast<void>(abut_elements_create(mesh, &elements_));
 #ifdef ABUT_TABLE_HAS_PICKING
   require(abut_picker_create(universe_, &picker_));
 #endif
