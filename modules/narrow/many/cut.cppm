@@ -170,7 +170,7 @@ class Carver {
         contact.id = contact_id_of_part(contact.id, hole.child);
         deepest_wall = std::min(deepest_wall, contact.distance);
         reached.push_back(contact);
-      } else if (contact.distance < 0) {
+      } else {
         add_seeds(hole, contact.point_b);
       }
     }
@@ -194,7 +194,9 @@ class Carver {
       return;
     }
     walls.insert(walls.end(), reached.begin(), reached.end());
-    if (overlap_both) {
+    // What sticks out of the hole at both ends touches its rims alone. Moved into the cavity, it is out of the solid.
+    const bool is_shorter_by_hole = reached.empty() && *clearance < 0 && deepest_solid < *clearance;
+    if (overlap_both || is_shorter_by_hole) {
       std::erase_if(solids, [&](const ContactPoint& contact) { return is_of_hole(contact) && contact.distance < 0; });
     }
   }
