@@ -21,7 +21,7 @@ import abut.triangles.elements;
 
 using namespace abut::capi;
 
-// What searches find stays until the next one, so that memory does.
+// Answers of a search stay until the next one, so that their memory is used again.
 struct abut_elements {
   explicit abut_elements(abut::Triangles surface)
       : body(std::move(surface.vertices), std::move(surface.indices), abut::Workers(1)) {}
@@ -130,7 +130,7 @@ abut_status read_options(const abut_elements_options* given, Search& out) {
   return ABUT_OK;
 }
 
-// What pairs of a vertex and a face, or of two edges, cannot be asked for.
+// Options that have no sense for pairs of a vertex and a face, or of two edges.
 abut_status check_kinds_of_pairs(std::uint32_t kinds) {
   if ((kinds & ~kinds_of_candidates) != 0) {
     return refuse(abut::error_about(abut::Errc::invalid_argument, "options.kinds", std::uint64_t{kinds},

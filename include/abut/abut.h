@@ -2255,8 +2255,8 @@ ABUT_API abut_status abut_universe_validate(const abut_universe *universe, abut_
  * surfaces beside them. Sensors, distance fields, particles and composites with holes take no part.
  *  - A contact stays as it is where the outside of its part is that of the whole: at a step, at a wall, at the open
  *    side of a single box. It does so for all points under one normal where that holds for one of them.
- *  - Where another part goes on past all of them, they give way to contacts of the same part under the normals of the
- *    whole, if it has any.
+ *  - Another part may go on past all of these points. Then they give way to contacts of their own part, under the
+ *    normals of the whole.
  *  - Gaps and differences in height of up to 1e-4 of the smaller one of a part and the body are none. A higher step is
  *    a wall. Parts may overlap by any length.
  *  - Pairs that a detection does not examine stay as they are, and dynamic geometries have no welds with each other.

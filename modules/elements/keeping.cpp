@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 module abut.elements.keeping;
 import abut.core.standard;
-import abut.elements.nearest;
 import abut.math;
 
 namespace abut {
@@ -37,6 +36,21 @@ namespace {
 }
 
 }  // namespace
+
+FaceStencil face_stencil(std::uint32_t vertex, std::uint32_t face, std::span<const std::uint32_t> corners,
+                         const NearestOnFace& nearest) {
+  FaceStencil out{vertex,
+                  face,
+                  {FaceStencil::none, FaceStencil::none, FaceStencil::none},
+                  nearest.count,
+                  nearest.weights,
+                  nearest.point,
+                  nearest.square};
+  for (std::size_t i = 0; i < nearest.count; ++i) {
+    out.feature.at(i) = corners[nearest.corners.at(i)];
+  }
+  return out;
+}
 
 bool comes_before(const FaceStencil& a, const FaceStencil& b, std::span<const Vec3> vertices) {
   if (a.square != b.square) {

@@ -4,6 +4,7 @@
 // border.
 export module abut.elements.keeping;
 import abut.core.standard;
+export import abut.elements.nearest;
 import abut.math;
 
 export namespace abut {
@@ -19,6 +20,10 @@ struct FaceStencil {
   Vec3 point;                            // the closest one
   Real square;                           // of the distance
 };
+
+// `corners`: vertices of the face.
+[[nodiscard]] FaceStencil face_stencil(std::uint32_t vertex, std::uint32_t face, std::span<const std::uint32_t> corners,
+                                       const NearestOnFace& nearest);
 
 // The order of stencils of one vertex: by distance, then by the number of corners, then by the places of these. It
 // depends on numbers only where different vertices lie at one place.

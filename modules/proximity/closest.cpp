@@ -54,17 +54,7 @@ constexpr std::array<MethodRule, 5> rules{{
   if (!(nearest.square <= square)) {
     return std::nullopt;
   }
-  FaceStencil out{vertex,
-                  face,
-                  {FaceStencil::none, FaceStencil::none, FaceStencil::none},
-                  nearest.count,
-                  nearest.weights,
-                  nearest.point,
-                  nearest.square};
-  for (std::size_t i = 0; i < nearest.count; ++i) {
-    out.feature.at(i) = corners[nearest.corners.at(i)];
-  }
-  return out;
+  return face_stencil(vertex, face, corners, nearest);
 }
 
 // Features that are the same for several faces become one. They follow each other.

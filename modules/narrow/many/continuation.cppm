@@ -30,10 +30,12 @@ inline constexpr Real crack_share = 1e-4;
                   dot(normal, corners[2] - point));
 }
 
-// Calls look(corners, reach) for the triangles of a surface that hold a point of it, within `reach`, until one answers
-// true. `size`: of what touches the surface.
-template <Surface S, class Look>
-[[nodiscard]] bool any_around(const S& surface, const Vec3& point, Real size, Look&& look) {
+using LookAtCorners = std::function<bool(const TriangleCorners&, Real)>;
+
+// Compiled once for each kind of surface.
+template <class S>
+[[nodiscard]] [[gnu::noinline]] bool any_corners_around(const S& surface, const Vec3& point, Real size,
+                                                        const LookAtCorners& look) {
   const Real noise = noise_of(largest_magnitude(point));
   Aabb near = Aabb{point, point}.inflated(crack_share * size + noise);
   bool is_found = false;
@@ -43,8 +45,17 @@ template <Surface S, class Look>
     is_found = is_found || (holds(corners, point, reach) && look(corners, reach));
     return false;
   };
-  surface.visit_parts(near, ask, [](const typename S::Part&, std::uint32_t) {});
+  surface.visit_parts(near, ask, AcceptsAnyPart{});
   return is_found;
+}
+
+// Calls look(corners, reach) for the triangles of a surface that hold a point of it, within `reach`, until one answers
+// true. `size`: of what touches the surface.
+template <Surface S, class Look>
+[[nodiscard]] bool any_around(const S& surface, const Vec3& point, Real size, Look&& look) {
+  // What holds one reference is passed on without memory of its own.
+  return any_corners_around(surface, point, size,
+                            [&look](const TriangleCorners& corners, Real reach) { return look(corners, reach); });
 }
 
 // Whether a surface goes on from a point and rises over the plane across a normal, which leads out of it there.

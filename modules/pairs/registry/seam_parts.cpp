@@ -8,6 +8,7 @@ import abut.math.tolerance;
 import abut.narrow.many.continuation;
 import abut.narrow.many.nearest_face;
 import abut.pairs.registry;
+import abut.pairs.registry.children;
 
 namespace abut {
 namespace {
@@ -19,17 +20,12 @@ constexpr auto are_weldable = []<class... S>(const std::variant<S...>*) {
   return std::array<bool, sizeof...(S)>{(Convex<S> || HalfSpace<S>)...};
 }(static_cast<const AnyShape::Variant*>(nullptr));
 
+// False of what is no surface.
 template <class Ask>
 bool ask_surface(const AnyShape& shape, Ask&& ask) {
-  return std::visit(
-      [&]<class S>(const S& surface) {
-        if constexpr (Surface<S>) {
-          return ask(surface);
-        } else {
-          return false;
-        }
-      },
-      static_cast<const AnyShape::Variant&>(shape));
+  bool answer = false;
+  with_surface(shape, [&](const auto& surface) { answer = ask(surface); });
+  return answer;
 }
 
 // What a search on two cores leaves of a point or a normal, as a share of their size.

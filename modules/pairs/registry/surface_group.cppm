@@ -23,9 +23,9 @@ using ChildPairs = SmallVector<ChildPair, 16>;
 // What stops of a shape that is a surface.
 [[nodiscard]] std::optional<StoppingSides> sides_of_surface(const AnyShape& shape);
 
-// The surfaces beside one of a pair that stop alike, are children of the same composite, and may be met on the way out:
-// each as a pair with the convex shape. Empty where there is no such pair. `a`, `b`: the whole shapes, b placed by
-// `ab`.
+// The surface of a pair and those beside it, each as a pair with the convex shape. All are children of one composite
+// and stop alike, and a way out may meet them. Empty where the pair has no surface in a composite. `a`, `b`: the whole
+// shapes, b placed by `ab`.
 [[nodiscard]] ChildPairs group_of(const AnyShape& a, const AnyShape& b, const Pose& ab, const ChildPair& pair,
                                   bool is_surface_a);
 

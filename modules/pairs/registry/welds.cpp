@@ -137,8 +137,7 @@ class Weld {
     }
     return false;
   }
-  // Under a surface that the body touches is what the surface stands for, as deep as the body is in it, and a stride
-  // more.
+  // A surface that the body touches stands for what is under it: as deep as the body is in it, and a stride more.
   [[nodiscard]] static bool goes_on_past(const Seam& other, const Vec3& point, const Vec3& normal, Real size) {
     const Vec3 direction = other.pose.rotation.undo(normal);
     if (goes_on_at(*other.part, other.pose.undo(point), direction, size)) {

@@ -32,18 +32,7 @@ FaceStencil stencil_of(const FoldedSheet& mesh, std::uint32_t face, const Vec3& 
     its.at(i) = mesh.triangles[3 * std::size_t{face} + i];
     corners.at(i) = mesh.vertices[its.at(i)];
   }
-  const abut::NearestOnFace nearest = abut::nearest_on_face(point, corners);
-  FaceStencil out{0,
-                  face,
-                  {FaceStencil::none, FaceStencil::none, FaceStencil::none},
-                  nearest.count,
-                  nearest.weights,
-                  nearest.point,
-                  nearest.square};
-  for (std::size_t i = 0; i < nearest.count; ++i) {
-    out.feature.at(i) = its.at(nearest.corners.at(i));
-  }
-  return out;
+  return abut::face_stencil(0, face, its, abut::nearest_on_face(point, corners));
 }
 
 double size_of(const FoldedSheet& mesh) {
