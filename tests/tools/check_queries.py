@@ -159,11 +159,17 @@ class Distance(program.Case):
         for word in ("A (sphere) and B (box)", "distance    1\n", "point of B  [0, 0, 2]", "found by    analytic"):
             self.assertIn(word, text)
 
-    def test_what_holes_leave_is_told(self):
-        text = self.succeed("distance", program.SCENES / "peg.json", "plate", "free").stdout
-        self.assertIn("inf], as holes have left nothing to be met", text)
+    def test_a_peg_has_the_clearance_of_its_hole(self):
         found = json.loads(self.succeed("distance", program.SCENES / "peg.json", "plate", "free", "--json").stdout)
-        self.assertIsNone(found["upper"])
+        self.assertAlmostEqual(found["distance"], 0.05, 12)
+        self.assertAlmostEqual(found["upper"], 0.05, 12)
+
+    def test_what_holes_leave_is_told(self):
+        nothing = json.dumps({"shape": {"kind": "composite", "children": [
+            {"shape": {"kind": "box", "half": [1, 1, 1]}}, {"shape": {"kind": "box_hole", "half": [2, 2, 2]}}]}})
+        text = self.succeed("distance", nothing, json.dumps(BALL)).stdout
+        self.assertIn("inf], as holes have left nothing to be met", text)
+        self.assertIsNone(json.loads(self.succeed("distance", nothing, json.dumps(BALL), "--json").stdout)["upper"])
 
     def test_two_parts_have_the_least_distance_of_their_geometries(self):
         document = scene_of(pose={"position": [9, 0, 0]})
