@@ -43,9 +43,9 @@ abut_status check_options(const abut_universe_options& options) {
   status = status != ABUT_OK ? status
                              : check_bits(where, ".events", options.events,
                                           ABUT_EVENTS_PAIRS | ABUT_EVENTS_PERSIST | ABUT_EVENTS_CONTACTS);
-  return status != ABUT_OK ? status
-                           : check_bits(where, ".flags", options.flags,
-                                        ABUT_UNIVERSE_LOCAL_POINTS | ABUT_UNIVERSE_WELDS);
+  return status != ABUT_OK
+             ? status
+             : check_bits(where, ".flags", options.flags, ABUT_UNIVERSE_LOCAL_POINTS | ABUT_UNIVERSE_WELDS);
 }
 
 abut_status create(const abut_universe_options& options, abut_universe** out) {

@@ -29,9 +29,9 @@ struct TouchSettings {
 };
 
 [[nodiscard]] MovingTouch first_touch_of_vertex_and_face(const MovingPoint& vertex,
-                                                        const std::array<MovingPoint, 3>& face,
-                                                        const TouchSettings& settings);
+                                                         const std::array<MovingPoint, 3>& face,
+                                                         const TouchSettings& settings);
 [[nodiscard]] MovingTouch first_touch_of_edges(const std::array<MovingPoint, 2>& a, const std::array<MovingPoint, 2>& b,
-                                              const TouchSettings& settings);
+                                               const TouchSettings& settings);
 
 }  // namespace abut

@@ -154,7 +154,7 @@ std::optional<MovingTouch> certain_touch(const Stretch& at, Real cubic_error, Re
   const Real width = at.high - at.low;
   const auto [low, high] = zero_of_rising(c, cubic_error, wanted_width / width);
   return MovingTouch{true, std::max(at.low + low * width - epsilon, Real{0}),
-                    std::min(at.low + high * width + epsilon, Real{1})};
+                     std::min(at.low + high * width + epsilon, Real{1})};
 }
 
 // Signs of differences survive rounding, so this needs no bound.

@@ -37,7 +37,7 @@ struct UniverseOptions {
   std::uint32_t threads = 1;            // 0: as many as the machine runs at once
   std::uint32_t events = event_pairs | event_persist;
   bool keeps_local_points = false;  // of contacts; a step that writes many of them takes longer for it
-  bool welds = false;  // convex parts that lie side by side, as it does surfaces
+  bool welds = false;               // convex parts that lie side by side, as it does surfaces
 };
 
 // A position with the quaternion as it was given (normalised), so that poses read back as they were set.

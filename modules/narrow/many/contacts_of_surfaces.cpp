@@ -325,8 +325,8 @@ void append_contacts(const SurfaceSource& a, const SurfaceSource& b, const Pose&
 
 }  // namespace
 
-void contacts_of_surfaces(const SurfaceSource& a, const SurfaceSource& b, const Pose& ab,
-                          const QuerySettings& settings, Manifold& out) {
+void contacts_of_surfaces(const SurfaceSource& a, const SurfaceSource& b, const Pose& ab, const QuerySettings& settings,
+                          Manifold& out) {
   const std::size_t first = out.size();
   if (!is_moved_first(a, b, ab)) {
     append_contacts(a, b, ab, settings, false, out);

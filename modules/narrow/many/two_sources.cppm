@@ -14,7 +14,7 @@ export namespace abut {
                                      const QuerySettings& settings, Distance& out);
 
 // Contacts within the margin, as if nothing were behind the surfaces.
-void contacts_of_surfaces(const SurfaceSource& a, const SurfaceSource& b, const Pose& ab,
-                          const QuerySettings& settings, Manifold& out);
+void contacts_of_surfaces(const SurfaceSource& a, const SurfaceSource& b, const Pose& ab, const QuerySettings& settings,
+                          Manifold& out);
 
 }  // namespace abut
