@@ -25,8 +25,8 @@
 import abut.core;
 import abut.math;
 import abut.triangles.elements;
-import abut.trees.element_pairs;
-import abut.trees.element_tree;
+import abut.trees.elements.element_pairs;
+import abut.trees.elements.element_tree;
 
 namespace {
 

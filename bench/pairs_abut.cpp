@@ -17,7 +17,7 @@
 #include "pairs.hpp"
 
 import abut;
-import abut.pairs.any_shape.shape_cast;
+import abut.pairs.any_shape.casts.shape_cast;
 
 namespace bench {
 namespace {

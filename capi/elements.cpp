@@ -11,12 +11,12 @@ import abut.math;
 import abut.pairs.any_shape;
 import abut.proximity.body;
 import abut.proximity.closest;
-import abut.proximity.cones;
+import abut.proximity.search.cones;
 import abut.proximity.crossings;
 import abut.proximity.first_touches;
 import abut.proximity.search;
 import abut.proximity.stencil;
-import abut.trees.element_pairs;
+import abut.trees.elements.element_pairs;
 import abut.triangles.elements;
 
 using namespace abut::capi;

@@ -6,7 +6,7 @@
 import abut.capability;
 import abut.core;
 import abut.pairs.any_shape;
-import abut.scene.checks;
+import abut.scene.meetings.checks;
 import abut.universe;
 
 namespace abut::capi {

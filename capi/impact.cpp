@@ -8,7 +8,7 @@
 import abut.capability;
 import abut.core;
 import abut.math;
-import abut.motion.path;
+import abut.motion.paths.path;
 import abut.motion.time_of_impact;
 
 using namespace abut::capi;

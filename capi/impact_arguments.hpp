@@ -6,7 +6,7 @@
 #include "impact_options.hpp"
 #include "query_arguments.hpp"
 
-import abut.motion.path;
+import abut.motion.paths.path;
 import abut.motion.time_of_impact;
 
 namespace abut::capi {

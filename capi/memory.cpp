@@ -3,7 +3,7 @@
 #include "border.hpp"
 #include "guard.hpp"
 
-import abut.core.spare_blocks;
+import abut.core.memory.spare_blocks;
 
 // Those of the process. The linker knows them by these names; every other use of operator new and delete in this
 // library is a call of operator_new.cpp. An alignment passes as the number that it is.

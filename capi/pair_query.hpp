@@ -12,7 +12,7 @@ import abut.capability;
 import abut.math;
 import abut.narrow.manifold;
 import abut.pairs.any_shape;
-import abut.pairs.registry.seams;
+import abut.pairs.composites.seams;
 
 namespace abut::capi {
 

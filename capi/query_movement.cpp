@@ -4,7 +4,7 @@
 #include "options.hpp"
 
 import abut.math;
-import abut.motion.path;
+import abut.motion.paths.path;
 import abut.motion.time_of_impact;
 import abut.queries;
 import abut.universe;

@@ -7,7 +7,7 @@
 import abut.capability;
 import abut.core;
 import abut.math;
-import abut.pairs.any_shape.shape_cast;
+import abut.pairs.any_shape.casts.shape_cast;
 
 using namespace abut::capi;
 

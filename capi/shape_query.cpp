@@ -8,7 +8,7 @@
 import abut.capability;
 import abut.core;
 import abut.math;
-import abut.pairs.any_shape.ray_child;
+import abut.pairs.any_shape.casts.ray_child;
 import abut.pairs.any_shape;
 import abut.pairs.registry;
 

@@ -5,7 +5,7 @@
 
 import abut.core;
 import abut.universe;
-import abut.scene.sleep;
+import abut.scene.rest.sleep;
 
 using namespace abut::capi;
 

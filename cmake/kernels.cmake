@@ -4,12 +4,12 @@ include_guard(GLOBAL)
 
 # What a shape may say that it NEEDS in cmake/registry.cmake: the module of a kernel, which only templates call. Where no shape
 # needs it, an empty module takes its place; a shape that does not say so meets no function of that name.
-set(abut_kernel_discs abut.narrow.fan.disc_depth_of_pair)
-set(abut_kernel_fields abut.narrow.many.field_contacts)
-set(abut_kernel_field_surfaces abut.narrow.many.field_surfaces)
-set(abut_kernel_half_space abut.narrow.many.half_space)
-set(abut_kernel_hole abut.narrow.many.hole_surfaces)
-set(abut_kernel_surfaces abut.narrow.many.two_surfaces)
+set(abut_kernel_discs abut.narrow.fan.discs.disc_depth_of_pair)
+set(abut_kernel_fields abut.narrow.field.field_contacts)
+set(abut_kernel_field_surfaces abut.narrow.field.field_surfaces)
+set(abut_kernel_half_space abut.narrow.walls.half_space)
+set(abut_kernel_hole abut.narrow.walls.hole_surfaces)
+set(abut_kernel_surfaces abut.narrow.two_surfaces)
 set(abut_kernel_overlap_of_surfaces abut.narrow.overlap.surface_overlap)
 set(abut_kernels discs fields field_surfaces half_space hole surfaces overlap_of_surfaces)
 

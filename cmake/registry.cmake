@@ -5,8 +5,8 @@ include_guard(GLOBAL)
 
 set_property(GLOBAL PROPERTY abut_known_shapes "")
 
-# name: of the file modules/shapes/<name>.cppm and its helpers <name>_*; class: in it; kind: the number
-# in the C ABI, never reused; FEATURE: builds without this feature leave the shape out; OF_ANY: the class is
+# name: of the file modules/shapes/<name>.cppm, or of the folder of that name with this file and its helpers;
+# class: in it; kind: the number in the C ABI, never reused; FEATURE: builds without this feature leave the shape out; OF_ANY: the class is
 # a template that gets the type of a shape of any kind; NEEDS: kernels of cmake/kernels.cmake that it is answered with;
 # BESIDE: another shape, most of whose kernels have the same cores or parts: the
 # rows of both are compiled in one unit, where they are there once.
@@ -86,19 +86,12 @@ endforeach()
 set(abut_missing_shapes ${known})
 list(REMOVE_ITEM abut_missing_shapes ${abut_enabled_shapes})
 
-# Appends the sources of a shape, which are no sources of another one.
+# Appends the sources of a shape: its one file, or what lies in its folder.
 function(abut_sources_of_shape name in_out_interfaces in_out_implementations)
-  set(source ${CMAKE_CURRENT_SOURCE_DIR})
-  file(GLOB more CONFIGURE_DEPENDS ${source}/shapes/${name}_*.cppm)
-  file(GLOB units CONFIGURE_DEPENDS ${source}/shapes/${name}_*.cpp)
-  # A sphere_hole is no piece of the sphere.
-  get_property(known GLOBAL PROPERTY abut_known_shapes)
-  list(FILTER known INCLUDE REGEX "^${name}_")
-  foreach(other IN LISTS known)
-    list(FILTER more EXCLUDE REGEX "/${other}[_.][a-z_.]*$")
-    list(FILTER units EXCLUDE REGEX "/${other}[_.][a-z_.]*$")
-  endforeach()
-  set(${in_out_interfaces} ${${in_out_interfaces}} ${source}/shapes/${name}.cppm ${more} PARENT_SCOPE)
+  set(folder ${CMAKE_CURRENT_SOURCE_DIR}/shapes)
+  file(GLOB interfaces CONFIGURE_DEPENDS ${folder}/${name}.cppm ${folder}/${name}/*.cppm)
+  file(GLOB units CONFIGURE_DEPENDS ${folder}/${name}/*.cpp)
+  set(${in_out_interfaces} ${${in_out_interfaces}} ${interfaces} PARENT_SCOPE)
   set(${in_out_implementations} ${${in_out_implementations}} ${units} PARENT_SCOPE)
 endfunction()
 

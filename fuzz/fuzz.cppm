@@ -13,7 +13,7 @@ export module abut.fuzz;
 import abut.capability;
 import abut.core;
 import abut.math;
-import abut.motion.path;
+import abut.motion.paths.path;
 import abut.motion.time_of_impact;
 import abut.pairs.any_shape;
 import abut.pairs.registry;

@@ -7,7 +7,7 @@ import abut.core.standard;
 import abut.core.workers;
 import abut.core;
 import abut.math;
-import abut.trees.eight_boxes;
+import abut.trees.volumes.eight_boxes;
 
 namespace abut {
 

@@ -6,8 +6,8 @@ import abut.broadphase.proxy;
 import abut.core.standard;
 import abut.core.workers;
 import abut.math;
-import abut.trees.box_sweep;
-import abut.trees.eight_boxes;
+import abut.trees.volumes.box_sweep;
+import abut.trees.volumes.eight_boxes;
 
 export namespace abut {
 

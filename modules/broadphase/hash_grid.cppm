@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Pairs of boxes from grids of cells.
 export module abut.broadphase.hash_grid;
-import abut.broadphase.followed_boxes;
-import abut.trees.box_grid;
+import abut.broadphase.kept.followed_boxes;
+import abut.trees.grids.box_grid;
 
 export namespace abut {
 

@@ -3,13 +3,13 @@ module;
 #include "../core/check.hpp"
 module abut.broadphase.sweep_and_prune;
 import abut.broadphase.box_record;
-import abut.broadphase.kept_pairs;
+import abut.broadphase.kept.kept_pairs;
 import abut.broadphase.proxy;
 import abut.core.standard;
 import abut.core.workers;
 import abut.core;
 import abut.math;
-import abut.trees.larger_box;
+import abut.trees.volumes.larger_box;
 
 namespace abut {
 namespace {

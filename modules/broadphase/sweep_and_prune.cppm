@@ -2,14 +2,14 @@
 // Pairs of boxes from the order of their ends along the three axes.
 export module abut.broadphase.sweep_and_prune;
 import abut.broadphase.box_record;
-import abut.broadphase.kept_pairs;
+import abut.broadphase.kept.kept_pairs;
 import abut.broadphase.proxy;
-import abut.broadphase.reused_list;
+import abut.broadphase.kept.reused_list;
 import abut.core.standard;
 import abut.core.workers;
 import abut.core;
 import abut.math;
-import abut.trees.box_sweep;
+import abut.trees.volumes.box_sweep;
 
 export namespace abut {
 

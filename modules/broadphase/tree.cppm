@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Pairs of boxes from trees that follow their motion.
 export module abut.broadphase.tree;
-import abut.broadphase.followed_boxes;
-import abut.trees.box_tree;
+import abut.broadphase.kept.followed_boxes;
+import abut.trees.boxes.box_tree;
 
 export namespace abut {
 

@@ -2,7 +2,7 @@
 // What a shape can do. Every pair of shapes gets an algorithm from these capabilities alone.
 export module abut.capability.concepts;
 import abut.capability.records;
-import abut.capability.rim;
+import abut.capability.cores.rim;
 import abut.core.standard;
 import abut.core;
 import abut.math;

@@ -8,7 +8,7 @@ module;
 #include <sanitizer/tsan_interface.h>
 #endif
 module abut.core.workers;
-import abut.core.spare_blocks;
+import abut.core.memory.spare_blocks;
 import abut.core.standard;
 
 namespace abut {

@@ -6,7 +6,7 @@ import abut.capability;
 import abut.core.standard;
 import abut.math.tolerance;
 import abut.math;
-import abut.narrow.many.triangle_point;
+import abut.narrow.triangle.triangle_point;
 import abut.deforming;
 
 namespace abut {

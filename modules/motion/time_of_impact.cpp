@@ -7,16 +7,16 @@ import abut.core.standard;
 import abut.core;
 import abut.math;
 import abut.math.tolerance;
-import abut.motion.best_impact;
-import abut.motion.convex_impact;
-import abut.motion.convex_part;
-import abut.motion.impact_search;
-import abut.motion.moving_surfaces;
-import abut.motion.path;
-import abut.motion.relative_motion;
-import abut.motion.whole_impact;
+import abut.motion.impacts.best_impact;
+import abut.motion.impacts.convex_impact;
+import abut.motion.impacts.convex_part;
+import abut.motion.impacts.impact_search;
+import abut.motion.impacts.moving_surfaces;
+import abut.motion.paths.path;
+import abut.motion.paths.relative_motion;
+import abut.motion.impacts.whole_impact;
 import abut.pairs.any_shape;
-import abut.pairs.any_shape.starting_touch;
+import abut.pairs.any_shape.casts.starting_touch;
 import abut.pairs.registry;
 
 namespace abut {

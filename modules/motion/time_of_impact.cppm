@@ -4,7 +4,7 @@ export module abut.motion.time_of_impact;
 import abut.capability;
 import abut.core.standard;
 import abut.math;
-export import abut.motion.path;
+export import abut.motion.paths.path;
 import abut.pairs.any_shape;
 import abut.pairs.registry;
 

@@ -3,7 +3,7 @@ module;
 
 #include <abut/picking.h>
 
-#include "embree.hpp"
+#include "picking/embree.hpp"
 
 #include <algorithm>
 #include <cmath>

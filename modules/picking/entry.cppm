@@ -4,7 +4,7 @@ module;
 
 #include <abut/picking.h>
 
-#include "embree.hpp"
+#include "picking/embree.hpp"
 
 #include <array>
 #include <cstddef>

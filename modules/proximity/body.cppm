@@ -6,7 +6,7 @@ import abut.core.standard;
 import abut.core;
 import abut.math;
 import abut.triangles.elements;
-import abut.trees.element_tree;
+import abut.trees.elements.element_tree;
 
 export namespace abut {
 

@@ -7,11 +7,11 @@ import abut.elements.nearest;
 import abut.math.tolerance;
 import abut.math;
 import abut.proximity.body;
-import abut.proximity.cones;
-import abut.proximity.least_of_faces;
+import abut.proximity.search.cones;
+import abut.proximity.search.least_of_faces;
 import abut.proximity.search;
 import abut.proximity.stencil;
-import abut.trees.element_pairs;
+import abut.trees.elements.element_pairs;
 import abut.triangles.elements;
 
 namespace abut {

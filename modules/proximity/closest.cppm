@@ -8,7 +8,7 @@ import abut.elements.keeping;
 import abut.elements.nearest;
 import abut.math;
 import abut.proximity.body;
-import abut.proximity.cones;
+import abut.proximity.search.cones;
 import abut.proximity.search;
 import abut.proximity.stencil;
 

@@ -6,7 +6,7 @@ import abut.deforming;
 import abut.math;
 import abut.proximity.body;
 import abut.proximity.stencil;
-import abut.trees.element_pairs;
+import abut.trees.elements.element_pairs;
 
 namespace abut {
 namespace {

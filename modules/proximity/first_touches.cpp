@@ -9,7 +9,7 @@ import abut.math;
 import abut.proximity.body;
 import abut.proximity.search;
 import abut.proximity.stencil;
-import abut.trees.element_pairs;
+import abut.trees.elements.element_pairs;
 import abut.triangles.elements;
 
 namespace abut {

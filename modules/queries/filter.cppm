@@ -5,7 +5,7 @@ import abut.core;
 import abut.core.standard;
 import abut.math;
 import abut.scene;
-import abut.scene.places;
+import abut.scene.state.places;
 import abut.queries;
 
 export namespace abut {

@@ -5,7 +5,7 @@ import abut.capability;
 import abut.core.standard;
 import abut.math;
 import abut.math.tolerance;
-import abut.motion.path;
+import abut.motion.paths.path;
 import abut.motion.time_of_impact;
 import abut.pairs.any_shape;
 import abut.queries.filter;

@@ -4,7 +4,7 @@
 // threads.
 export module abut.queries;
 import abut.pairs.any_shape;
-export import abut.pairs.any_shape.shape_cast;
+export import abut.pairs.any_shape.casts.shape_cast;
 import abut.capability;
 import abut.core.standard;
 import abut.core;

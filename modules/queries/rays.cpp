@@ -5,7 +5,7 @@ import abut.capability;
 import abut.core.standard;
 import abut.math;
 import abut.math.tolerance;
-import abut.pairs.any_shape.ray_child;
+import abut.pairs.any_shape.casts.ray_child;
 import abut.pairs.any_shape;
 import abut.pairs.registry;
 import abut.queries.filter;

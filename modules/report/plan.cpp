@@ -2,8 +2,8 @@
 module abut.report.plan;
 import abut.core;
 import abut.core.standard;
-import abut.scene.focus;
-import abut.scene.options;
+import abut.scene.rest.focus;
+import abut.scene.state.options;
 
 namespace abut {
 namespace {

@@ -2,8 +2,8 @@
 // What a step did and why, for people and for programs.
 export module abut.report.plan;
 import abut.core.standard;
-import abut.scene.focus;
-import abut.scene.options;
+import abut.scene.rest.focus;
+import abut.scene.state.options;
 
 export namespace abut {
 

@@ -2,9 +2,9 @@
 // The plan for programs.
 module abut.report.plan;
 import abut.core.standard;
-import abut.scene.focus;
+import abut.scene.rest.focus;
 import abut.report.json;
-import abut.scene.options;
+import abut.scene.state.options;
 
 namespace abut {
 namespace {

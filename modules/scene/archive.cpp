@@ -10,14 +10,14 @@ import abut.core;
 import abut.math;
 import abut.pairs.any_shape.shape_archive;
 import abut.pairs.any_shape;
-import abut.scene.changes;
-import abut.scene.checks;
-import abut.scene.focus_tags;
+import abut.scene.state.changes;
+import abut.scene.meetings.checks;
+import abut.scene.rest.focus_tags;
 import abut.scene.meetings;
-import abut.scene.places;
-import abut.scene.policies;
-import abut.scene.rules;
-import abut.scene.space;
+import abut.scene.state.places;
+import abut.scene.meetings.policies;
+import abut.scene.meetings.rules;
+import abut.scene.state.space;
 
 namespace abut {
 namespace {

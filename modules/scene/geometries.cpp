@@ -7,7 +7,7 @@ import abut.core.standard;
 import abut.core;
 import abut.math;
 import abut.pairs.any_shape;
-import abut.scene.checks;
+import abut.scene.meetings.checks;
 import abut.scene.room;
 
 namespace abut {

@@ -2,7 +2,7 @@
 // Which geometries changed last, for those who follow a scene from outside.
 export module abut.scene.journal;
 import abut.core.standard;
-import abut.scene.options;
+import abut.scene.state.options;
 
 export namespace abut {
 

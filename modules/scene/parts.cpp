@@ -6,7 +6,7 @@ import abut.capability;
 import abut.core.standard;
 import abut.core;
 import abut.math;
-import abut.scene.checks;
+import abut.scene.meetings.checks;
 import abut.scene.room;
 
 namespace abut {

@@ -6,10 +6,10 @@ import abut.core;
 import abut.math;
 import abut.pairs.any_shape;
 import abut.pairs.registry;
-import abut.scene.checks;
+import abut.scene.meetings.checks;
 import abut.scene.journal;
 import abut.scene.meetings;
-import abut.scene.policies;
+import abut.scene.meetings.policies;
 
 namespace abut {
 namespace {

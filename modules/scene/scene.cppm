@@ -9,18 +9,18 @@ import abut.core;
 import abut.math;
 import abut.pairs.any_shape;
 import abut.pairs.registry;
-import abut.scene.changes;
-export import abut.scene.focus;
-import abut.scene.focus_tags;
+import abut.scene.state.changes;
+export import abut.scene.rest.focus;
+import abut.scene.rest.focus_tags;
 import abut.scene.journal;
-export import abut.scene.materials;
+export import abut.scene.meetings.materials;
 import abut.scene.meetings;
-export import abut.scene.options;
-import abut.scene.places;
-import abut.scene.policies;
-export import abut.scene.sleep;
-import abut.scene.space;
-export import abut.scene.velocity;
+export import abut.scene.state.options;
+import abut.scene.state.places;
+import abut.scene.meetings.policies;
+export import abut.scene.rest.sleep;
+import abut.scene.state.space;
+export import abut.scene.rest.velocity;
 
 export namespace abut {
 

@@ -6,7 +6,7 @@ import abut.core;
 import abut.math;
 import abut.pairs.any_shape;
 import abut.scene.meetings;
-import abut.scene.rules;
+import abut.scene.meetings.rules;
 
 namespace abut {
 namespace {

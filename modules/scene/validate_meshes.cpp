@@ -8,7 +8,7 @@ import abut.math;
 import abut.pairs.any_shape;
 import abut.pairs.any_shape.sides;
 import abut.scene.meetings;
-import abut.trees.winding_number;
+import abut.trees.inside.winding_number;
 import abut.triangles.volume;
 
 namespace abut {

@@ -7,7 +7,7 @@ import abut.core.standard;
 import abut.core;
 import abut.math;
 import abut.math.tolerance;
-import abut.trees.bvh;
+import abut.trees.boxes.bvh;
 
 export namespace abut {
 

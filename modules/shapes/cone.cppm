@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Solid cone along local Z: the base below, the apex above, the origin half-way up.
 export module abut.shapes.cone;
-import abut.capability.second_order;
+import abut.capability.cores.second_order;
 import abut.capability;
 import abut.core.standard;
 import abut.core;

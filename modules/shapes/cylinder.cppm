@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Solid cylinder along local Z with flat ends, centred.
 export module abut.shapes.cylinder;
-import abut.capability.second_order;
+import abut.capability.cores.second_order;
 import abut.capability;
 import abut.core.standard;
 import abut.core;

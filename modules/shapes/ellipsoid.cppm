@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Solid ellipsoid, centred, by its radii along the axes.
 export module abut.shapes.ellipsoid;
-import abut.capability.second_order;
+import abut.capability.cores.second_order;
 import abut.capability;
 import abut.core.standard;
 import abut.core;

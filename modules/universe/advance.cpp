@@ -3,19 +3,19 @@
 module abut.universe;
 import abut.broadphase;
 import abut.capability;
-import abut.core.spare_blocks;
+import abut.core.memory.spare_blocks;
 import abut.core.standard;
 import abut.core;
-import abut.detect.continuous;
-import abut.detect.jobs;
+import abut.detect.paths.continuous;
+import abut.detect.pairs.jobs;
 import abut.detect.paths;
-import abut.detect.touches;
+import abut.detect.paths.touches;
 import abut.math;
 import abut.math.turn;
 import abut.motion.time_of_impact;
 import abut.scene.meetings;
-import abut.scene.places;
-import abut.scene.policies;
+import abut.scene.state.places;
+import abut.scene.meetings.policies;
 
 namespace abut {
 namespace {

@@ -6,16 +6,16 @@ import abut.capability;
 import abut.core.archive;
 import abut.core.standard;
 import abut.core;
-import abut.detect.contacts;
-import abut.detect.continuous;
-import abut.detect.events;
-import abut.detect.jobs;
+import abut.detect.lists.contacts;
+import abut.detect.paths.continuous;
+import abut.detect.lists.events;
+import abut.detect.pairs.jobs;
 import abut.detect.pairs;
-import abut.detect.sides;
+import abut.detect.pairs.sides;
 import abut.math;
 import abut.scene.meetings;
-import abut.scene.places;
-import abut.scene.policies;
+import abut.scene.state.places;
+import abut.scene.meetings.policies;
 
 namespace abut {
 namespace {

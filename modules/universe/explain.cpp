@@ -4,19 +4,19 @@ module abut.universe;
 import abut.broadphase;
 import abut.core.standard;
 import abut.core;
-import abut.detect.contacts;
-import abut.detect.islands;
-import abut.detect.jobs;
+import abut.detect.lists.contacts;
+import abut.detect.lists.islands;
+import abut.detect.pairs.jobs;
 import abut.math;
 import abut.pairs.any_shape;
 import abut.report.plan;
-import abut.scene.focus;
-import abut.scene.focus_tags;
+import abut.scene.rest.focus;
+import abut.scene.rest.focus_tags;
 import abut.scene.meetings;
-import abut.scene.policies;
-import abut.scene.rules;
-import abut.scene.space;
-import abut.scene.velocity;
+import abut.scene.meetings.policies;
+import abut.scene.meetings.rules;
+import abut.scene.state.space;
+import abut.scene.rest.velocity;
 
 namespace abut {
 namespace {

@@ -1,33 +1,33 @@
 // SPDX-License-Identifier: Apache-2.0
 // A detection: one stage after the other.
 module abut.universe;
-import abut.broadphase.pair_order;
+import abut.broadphase.kept.pair_order;
 import abut.broadphase;
-import abut.core.spare_blocks;
+import abut.core.memory.spare_blocks;
 import abut.core.standard;
 import abut.core.workers;
 import abut.core;
-import abut.detect.contacts;
-import abut.detect.continuous;
-import abut.detect.events;
-import abut.detect.hash;
-import abut.detect.jobs;
-import abut.detect.manifolds;
+import abut.detect.lists.contacts;
+import abut.detect.paths.continuous;
+import abut.detect.lists.events;
+import abut.detect.lists.hash;
+import abut.detect.pairs.jobs;
+import abut.detect.pairs.manifolds;
 import abut.detect.pairs;
-import abut.detect.refresh;
-import abut.detect.seams;
-import abut.detect.selection;
-import abut.detect.sides;
-import abut.detect.sleep;
-import abut.detect.stopwatch;
+import abut.detect.pairs.refresh;
+import abut.detect.lists.seams;
+import abut.detect.pairs.selection;
+import abut.detect.pairs.sides;
+import abut.detect.lists.sleep;
+import abut.detect.pairs.stopwatch;
 import abut.detect.paths;
 import abut.math;
-import abut.scene.changes;
-import abut.scene.checks;
+import abut.scene.state.changes;
+import abut.scene.meetings.checks;
 import abut.scene.meetings;
-import abut.scene.places;
-import abut.scene.policies;
-import abut.scene.space;
+import abut.scene.state.places;
+import abut.scene.meetings.policies;
+import abut.scene.state.space;
 
 namespace abut {
 

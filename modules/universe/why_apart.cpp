@@ -4,16 +4,16 @@ module abut.universe;
 import abut.capability;
 import abut.core.standard;
 import abut.core;
-import abut.detect.jobs;
+import abut.detect.pairs.jobs;
 import abut.detect.pairs;
 import abut.math;
 import abut.pairs.any_shape;
 import abut.pairs.any_shape.sides;
 import abut.pairs.registry;
-import abut.scene.checks;
+import abut.scene.meetings.checks;
 import abut.scene.meetings;
-import abut.scene.places;
-import abut.scene.policies;
+import abut.scene.state.places;
+import abut.scene.meetings.policies;
 
 namespace abut {
 

@@ -10,7 +10,7 @@ run(${CMAKE_COMMAND} -E chdir ${root} ${CMAKE_COMMAND} --preset lean -B ${build}
 
 # Spheres and boxes need no surfaces, no holes, no discs, no composites and no trees of triangles.
 file(READ ${build}/compile_commands.json commands)
-foreach(unneeded IN ITEMS many/crossing_surfaces many/rim_point fan/disc_depth registry/composites trees/bvh shapes/hull)
+foreach(unneeded IN ITEMS two_surfaces/crossing_surfaces walls/rim_point discs/disc_depth composites/composites boxes/bvh shapes/hull)
   if(commands MATCHES "/modules/[a-z_/]*${unneeded}[a-z_]*\\.cpp")
     message(FATAL_ERROR "the preset lean compiles ${CMAKE_MATCH_0}")
   endif()

@@ -180,6 +180,10 @@ TREES = {
         ({**LAYERED, "modules/capability/records.cppm": "import abut.shapes.box;"}, {**LAYERED, "modules/universe/a.cppm": "import abut.shapes.box;"}),
         ({**LAYERED, "modules/misc/a.cppm": ""}, {**LAYERED, "modules/broadphase/a.cppm": ""}),
     ],
+    "room_size": [
+        ({f"modules/math/a{i}.cppm": "" for i in range(15)}, {f"modules/math/a{i}.cppm": "" for i in range(14)}),
+        ({f"modules/math/a/b{i}.cpp": "" for i in range(15)}, {f"modules/math/{i % 2}/b{i}.cpp": "" for i in range(28)}),
+    ],
     "registry": [
         ({REGISTRY: "abut_shape(box Box 1)"}, BOX),
         ({**BOX, REGISTRY: "abut_shape(box Box 1)\nabut_shape(box Box 2)"}, BOX),
@@ -187,14 +191,14 @@ TREES = {
             {**BOX, "modules/shapes/ball.cppm": "", REGISTRY: "abut_shape(box Box 1)\nabut_shape(ball Ball 1)"},
             {**BOX, "modules/shapes/ball.cppm": "", REGISTRY: "abut_shape(box Box 1)\nabut_shape(ball Ball 2)"},
         ),
-        ({**BOX, "modules/shapes/ball.cppm": ""}, {**BOX, "modules/shapes/box_faces.cppm": ""}),
+        ({**BOX, "modules/shapes/ball.cppm": ""}, {**BOX, "modules/shapes/box/faces.cppm": ""}),
     ],
     "shape_name": [
         ({**BOX, "modules/universe/a.cppm": "Box b;"}, {**BOX, "modules/universe/a.cppm": "Boxes b; // Box"}),
         ({**BOX, "modules/universe/a.cppm": "class Box;\nBox b;"}, {**BOX, "modules/universe/a.cppm": "class alignas(8) Box {};\nBox b;"}),
         ({**BOX, "modules/universe/a.cppm": "import abut.shapes.box;"}, {**BOX, "modules/universe/a.cppm": "import abut.capability;"}),
         ({**BOX, "capi/a.cpp": 'kind("box");'}, {**BOX, "capi/shape.cpp": 'kind("box");'}),
-        ({**BOX, "modules/shapes/ball.cppm": "Box b;"}, {**BOX, "modules/shapes/box_faces.cppm": "Box b;"}),
+        ({**BOX, "modules/shapes/ball.cppm": "Box b;"}, {**BOX, "modules/shapes/box/faces.cppm": "Box b;"}),
     ],
     "header": [
         ({HEADER: "ABUT_API bool f(void);"}, {HEADER: "ABUT_API uint32_t f(void); /* a bool */"}),

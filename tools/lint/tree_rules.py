@@ -15,34 +15,50 @@ PROTOTYPE = r"\bABUT_API\b[^;{}()]*?\b(abut_\w+)\s*\("
 # Besides the shape's own file, which is checked by name: the typed shorthands of the C interface may name shapes.
 MAY_NAME_SHAPES = ("capi/shape.cpp", "capi/shape_simple.cpp", "capi/shape_particles.cpp")
 
+# Files of a folder of modules.
+MOST_FILES = 14
+
 DECLARES = r"\b(?:struct|class)\s+(?:alignas\s*\([^)]*\)\s*|\[\[[^\]]*\]\]\s*)*"
 
 # Rank of a module by its folder; imports go from higher to lower or stay level.
 LAYERS = [
-    ("core",),
+    ("core", "core/memory"),
     ("math",),
-    ("capability",),
+    ("capability", "capability/cores", "capability/parts"),
     ("triangles",),
-    ("trees",),
-    ("shapes", "broadphase"),
+    ("trees/volumes", "trees/inside"),
+    ("trees/boxes", "trees/grids", "trees/samples"),
+    ("trees/elements",),
+    ("shapes", "shapes/distance_field", "shapes/height_field", "shapes/hull", "shapes/mesh", "shapes/particles",
+     "broadphase", "broadphase/kept"),
     ("narrow/cores",),
     ("narrow/apart", "narrow/fan", "narrow/manifold"),
+    ("narrow/fan/discs",),
     ("narrow/polytope", "narrow/libccd"),
     ("narrow/points",),
-    ("narrow/warm", "narrow/convex"),
-    ("narrow/many", "narrow/cast"),
-    ("narrow/overlap",),
+    ("narrow/convex",),
+    ("narrow/warm", "narrow/triangle", "narrow/cast"),
+    ("narrow/parts",),
+    ("narrow/ways",),
+    ("narrow/field",),
+    ("narrow/walls",),
+    ("narrow/surface",),
+    ("narrow/sides", "narrow/two_surfaces", "narrow/overlap"),
     ("pairs", "deforming"),
     ("elements",),
-    ("proximity",),
+    ("proximity", "proximity/search"),
     ("pairs/rows",),
-    ("pairs/registry",),
+    ("pairs/registry", "pairs/composites", "pairs/surfaces"),
     ("pairs/any_shape",),
-    ("motion",),
-    ("scene",),
-    ("detect", "queries", "report"),
+    ("pairs/any_shape/casts",),
+    ("motion", "motion/impacts", "motion/paths"),
+    ("scene", "scene/state", "scene/meetings", "scene/rest"),
+    ("queries", "report", "detect/pairs"),
+    ("detect/lists",),
+    ("detect/paths",),
     ("universe",),
-    ("picking", "response", "response/bodies", "response/manager", "response/report", "response/solver", "response/steps", "gpu"),
+    ("picking", "picking/tracer", "picking/view", "response", "response/bodies", "response/manager", "response/report",
+     "response/solver", "response/steps", "gpu"),
 ]
 RANKS = {folder: rank for rank, folders in enumerate(LAYERS) for folder in folders}
 
@@ -75,9 +91,25 @@ def layer_order(sources):
                 yield path, line, f"{match[1]} lies above this file; imports run one way"
 
 
+def room_size(sources):
+    """What lies in one folder of modules is seen at one look."""
+    files = {}
+    for path in sources:
+        if path.startswith("modules/"):
+            files.setdefault(path.rpartition("/")[0], []).append(path)
+    for folder, paths in files.items():
+        if len(paths) > MOST_FILES:
+            yield min(paths), 1, f"{folder} holds {len(paths)} files; {MOST_FILES} are allowed"
+
+
 def _shapes(sources):
     registry = sources.get(REGISTRY)
     return [(line, match[1], match[2], match[3]) for line, match in registry.find(SHAPE_LINE, registry.bare)] if registry else []
+
+
+def _is_of_shape(source, name):
+    """A shape is one file, or a folder of its name."""
+    return source.path == f"modules/shapes/{name}.cppm" or source.within(f"modules/shapes/{name}")
 
 
 def registry(sources):
@@ -88,12 +120,12 @@ def registry(sources):
             if (what, value) in seen:
                 yield REGISTRY, line, f"{what} {value} is taken by line {seen[what, value]}"
             seen[what, value] = line
-        if f"modules/shapes/{name}.cppm" not in sources:
+        if not any(f"{place}.cppm" in sources for place in (f"modules/shapes/{name}", f"modules/shapes/{name}/{name}")):
             yield REGISTRY, line, f"shape {name} has no file modules/shapes/{name}.cppm"
     names = [name for _, name, _, _ in _shapes(sources)]
     for path, source in sources.items():
         if source.suffix == ".cppm" and source.within("modules/shapes") and names:
-            if not any(source.stem == name or source.stem.startswith(name + "_") for name in names):
+            if not any(_is_of_shape(source, name) for name in names):
                 yield path, 1, f"no line of {REGISTRY} names this shape"
 
 
@@ -109,7 +141,7 @@ def shape_name(sources):
         for path, source in sources.items():
             if not source.is_cxx or not source.within("modules", "capi") or source.within(*MAY_NAME_SHAPES):
                 continue
-            if source.within("modules/shapes") and (source.stem == name or source.stem.startswith(name + "_")):
+            if _is_of_shape(source, name):
                 continue
             if path.rpartition("/")[0] not in own:
                 for line, _ in source.find(rf"\b{kind}\b", source.code):
@@ -169,4 +201,4 @@ def symbol_list(sources):
             yield listed_in, 1, "not sorted, or a name occurs twice"
 
 
-TREE_RULES = [layer_order, kernel_reach, unused_import, registry, shape_name, header, symbol_list]
+TREE_RULES = [layer_order, room_size, kernel_reach, unused_import, registry, shape_name, header, symbol_list]

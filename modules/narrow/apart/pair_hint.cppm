@@ -2,7 +2,7 @@
 // What a query leaves of a pair of shapes for the next one of the same pair: where to begin. It proves nothing. Every
 // answer is proven at the poses of its own query. Bits of another pair, or any other bits, are as good as none.
 export module abut.narrow.apart.pair_hint;
-import abut.capability.core_feature;
+import abut.capability.cores.core_feature;
 import abut.core.standard;
 
 export namespace abut {

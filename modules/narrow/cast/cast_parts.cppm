@@ -12,7 +12,7 @@ import abut.narrow.cast.front_touch;
 import abut.narrow.cast.linear_cast;
 import abut.narrow.cast.parts_in_order;
 import abut.narrow.convex;
-import abut.trees.two_trees;
+import abut.trees.boxes.two_trees;
 
 export namespace abut {
 

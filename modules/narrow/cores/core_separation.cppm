@@ -2,7 +2,7 @@
 // The separation of two cores as a record, and the bounds that errors and rounding have.
 export module abut.narrow.cores.core_separation;
 import abut.capability;
-export import abut.capability.core_feature;
+export import abut.capability.cores.core_feature;
 import abut.core.standard;
 import abut.math;
 export import abut.math.tolerance;

@@ -3,7 +3,7 @@
 //
 // A call through a function costs some nanoseconds; these searches take microseconds.
 export module abut.narrow.cores.difference;
-import abut.capability.second_order;
+import abut.capability.cores.second_order;
 import abut.capability;
 import abut.core.standard;
 import abut.core;

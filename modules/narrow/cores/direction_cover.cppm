@@ -5,7 +5,7 @@
 // this support function, which is at least d in a cap around m:
 //   dot(m, v) + r
 export module abut.narrow.cores.direction_cover;
-import abut.capability.second_order;
+import abut.capability.cores.second_order;
 import abut.capability;
 import abut.core.standard;
 import abut.core;

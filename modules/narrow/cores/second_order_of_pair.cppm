@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // How the support function of the difference of two cores runs near a direction, up to second order.
 export module abut.narrow.cores.second_order_of_pair;
-import abut.capability.second_order;
+import abut.capability.cores.second_order;
 import abut.capability;
 import abut.core.standard;
 import abut.math;

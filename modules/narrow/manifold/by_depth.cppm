@@ -3,7 +3,7 @@
 // them stay.
 export module abut.narrow.manifold.by_depth;
 import abut.capability;
-import abut.core.small_vector;
+import abut.core.memory.small_vector;
 import abut.core.standard;
 import abut.math;
 import abut.math.four_vec3;

@@ -2,9 +2,9 @@
 // Contacts in the order of their depth. They are large: their numbers are put in order, and each contact moves once.
 export module abut.narrow.manifold.depth_order;
 import abut.capability;
-import abut.core.small_vector;
+import abut.core.memory.small_vector;
 import abut.core.standard;
-import abut.math.places_in_order;
+import abut.narrow.manifold.places_in_order;
 
 export namespace abut {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 module abut.narrow.manifold.reduce;
 import abut.capability;
-import abut.core.small_vector;
+import abut.core.memory.small_vector;
 import abut.core.standard;
 import abut.core;
 import abut.math;

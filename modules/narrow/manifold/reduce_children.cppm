@@ -4,7 +4,7 @@ export module abut.narrow.manifold.reduce_children;
 import abut.capability;
 import abut.core.standard;
 import abut.math;
-import abut.math.places_in_order;
+import abut.narrow.manifold.places_in_order;
 import abut.narrow.manifold.reduce;
 
 export namespace abut {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Which points of a surface hang together: those of the same triangles, and those between which no gap is too wide.
 export module abut.narrow.manifold.regions;
-import abut.core.small_vector;
+import abut.core.memory.small_vector;
 import abut.core.standard;
 import abut.math;
 import abut.math.four_vec3;

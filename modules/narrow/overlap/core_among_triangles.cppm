@@ -6,9 +6,9 @@ import abut.capability;
 import abut.core.standard;
 import abut.math;
 import abut.narrow.apart.box_cores;
-import abut.narrow.many.quick_axes;
-import abut.narrow.many.triangle_point;
-import abut.narrow.many.triangle_segment;
+import abut.narrow.triangle.quick_axes;
+import abut.narrow.triangle.triangle_point;
+import abut.narrow.triangle.triangle_segment;
 import abut.narrow.overlap.convex_side;
 
 export namespace abut {

@@ -4,13 +4,13 @@ import abut.capability;
 import abut.core.standard;
 import abut.math;
 import abut.math.tolerance;
-import abut.narrow.many.quick_axes;
-import abut.narrow.many.triangle_source;
+import abut.narrow.triangle.quick_axes;
+import abut.narrow.surface.triangle_source;
 import abut.narrow.overlap.convex_overlap;
 import abut.narrow.overlap.convex_side;
 import abut.narrow.overlap.core_among_triangles;
-import abut.trees.eight_boxes;
-import abut.trees.two_trees;
+import abut.trees.volumes.eight_boxes;
+import abut.trees.boxes.two_trees;
 
 namespace abut {
 namespace {

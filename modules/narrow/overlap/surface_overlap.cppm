@@ -4,7 +4,7 @@ export module abut.narrow.overlap.surface_overlap;
 import abut.capability;
 import abut.core.standard;
 import abut.math;
-import abut.narrow.many.triangle_source;
+import abut.narrow.surface.triangle_source;
 import abut.narrow.overlap.convex_overlap;
 import abut.narrow.overlap.core_among_triangles;
 

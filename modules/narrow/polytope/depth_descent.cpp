@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 module abut.narrow.polytope.depth_descent;
-import abut.capability.second_order;
+import abut.capability.cores.second_order;
 import abut.core.standard;
 import abut.core;
 import abut.math;

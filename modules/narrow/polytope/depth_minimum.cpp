@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 module abut.narrow.polytope.depth_minimum;
-import abut.capability.second_order;
+import abut.capability.cores.second_order;
 import abut.capability;
 import abut.core.standard;
 import abut.math;

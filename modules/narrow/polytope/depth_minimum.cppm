@@ -6,7 +6,7 @@
 // radius d is in D where that form exceeds
 //   d |w|^2, for directions n + w.
 export module abut.narrow.polytope.depth_minimum;
-import abut.capability.second_order;
+import abut.capability.cores.second_order;
 import abut.core.standard;
 import abut.math;
 import abut.narrow.cores.difference;

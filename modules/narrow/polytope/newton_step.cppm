@@ -6,7 +6,7 @@
 // depth lies within a piece, on a crease, or where two creases cross. Its point lies on no edge, on one, or between
 // two.
 export module abut.narrow.polytope.newton_step;
-import abut.capability.second_order;
+import abut.capability.cores.second_order;
 import abut.capability;
 import abut.core.standard;
 import abut.math;

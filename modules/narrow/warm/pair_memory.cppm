@@ -8,7 +8,7 @@
 //
 // Nothing kept changes an answer. It spares a search whose end it proves.
 export module abut.narrow.warm.pair_memory;
-import abut.capability.core_feature;
+import abut.capability.cores.core_feature;
 import abut.core.standard;
 import abut.math;
 

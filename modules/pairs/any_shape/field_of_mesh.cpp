@@ -6,8 +6,8 @@ import abut.core;
 import abut.math;
 import abut.pairs.registry;
 import abut.shapes.distance_field;
-import abut.trees.field_sampling;
-import abut.trees.sparse_blocks;
+import abut.trees.samples.field_sampling;
+import abut.trees.samples.sparse_blocks;
 import abut.triangles.buffers;
 
 namespace abut {

@@ -8,7 +8,7 @@ import abut.math.tolerance;
 import abut.narrow.overlap.convex_overlap;
 import abut.narrow.overlap.convex_side;
 import abut.narrow.overlap.surface_overlap;
-import abut.pairs.registry.children;
+import abut.pairs.composites.children;
 import abut.pairs.registry;
 import abut.pairs.routes;
 

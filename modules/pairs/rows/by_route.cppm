@@ -6,12 +6,12 @@ import abut.core.standard;
 import abut.core;
 import abut.math;
 import abut.narrow.convex;
-import abut.narrow.many.field_contacts;
-import abut.narrow.many.field_surfaces;
-import abut.narrow.many.half_space;
-import abut.narrow.many.hole_surfaces;
-import abut.narrow.many.nearest_of_parts;
-import abut.narrow.many.two_surfaces;
+import abut.narrow.field.field_contacts;
+import abut.narrow.field.field_surfaces;
+import abut.narrow.walls.half_space;
+import abut.narrow.walls.hole_surfaces;
+import abut.narrow.parts.nearest_of_parts;
+import abut.narrow.two_surfaces;
 import abut.pairs.routes;
 
 export namespace abut {

@@ -11,7 +11,7 @@ export import abut.pairs.rows.by_route;
 import abut.math;
 import abut.narrow.convex.placed_pair;
 import abut.narrow.convex;
-import abut.narrow.many.half_space;
+import abut.narrow.walls.half_space;
 import abut.narrow.points.lane_contact;
 import abut.narrow.warm.convex_memory;
 import abut.narrow.warm.pair_memory;

@@ -4,8 +4,8 @@ export module abut.pairs.rows.search_names;
 import abut.capability;
 import abut.core.standard;
 import abut.narrow.convex;
-import abut.narrow.fan.disc_depth_of_pair;
-import abut.narrow.fan.disc_pairs;
+import abut.narrow.fan.discs.disc_depth_of_pair;
+import abut.narrow.fan.discs.disc_pairs;
 import abut.narrow.fan.hull_sat;
 import abut.pairs.routes;
 

@@ -10,7 +10,7 @@
 #include <vector>
 
 import abut.math;
-import abut.trees.box_tree;
+import abut.trees.boxes.box_tree;
 
 namespace {
 

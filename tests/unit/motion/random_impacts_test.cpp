@@ -13,9 +13,9 @@
 import abut.capability;
 import abut.math;
 import abut.math.turn;
-import abut.motion.convex_impact;
-import abut.motion.convex_part;
-import abut.motion.path;
+import abut.motion.impacts.convex_impact;
+import abut.motion.impacts.convex_part;
+import abut.motion.paths.path;
 import abut.motion.time_of_impact;
 import abut.pairs.any_shape;
 import abut.pairs.registry;

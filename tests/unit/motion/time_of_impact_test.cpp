@@ -11,7 +11,7 @@ import abut.capability;
 import abut.core;
 import abut.math;
 import abut.math.turn;
-import abut.motion.path;
+import abut.motion.paths.path;
 import abut.motion.time_of_impact;
 import abut.pairs.any_shape;
 import abut.pairs.registry;

@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <string>
 
-import abut.scene.options;
+import abut.scene.state.options;
 import abut.report.plan;
 
 namespace {

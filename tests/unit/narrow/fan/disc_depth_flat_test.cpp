@@ -16,7 +16,7 @@
 import abut.capability;
 import abut.core;
 import abut.math;
-import abut.narrow.fan.disc_depth_of_pair;
+import abut.narrow.fan.discs.disc_depth_of_pair;
 import abut.shapes.box;
 import abut.shapes.cone;
 import abut.shapes.cylinder;

@@ -13,7 +13,7 @@
 
 import abut.capability;
 import abut.math;
-import abut.narrow.many.surfaces;
+import abut.narrow.surface.surfaces;
 import abut.shapes.capsule;
 import abut.shapes.height_field;
 import abut.shapes.mesh;

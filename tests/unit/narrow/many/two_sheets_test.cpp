@@ -13,7 +13,7 @@
 
 import abut.capability;
 import abut.math;
-import abut.narrow.many.two_surfaces;
+import abut.narrow.two_surfaces;
 import abut.shapes.height_field;
 import abut.shapes.mesh;
 

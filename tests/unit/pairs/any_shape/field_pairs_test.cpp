@@ -20,7 +20,7 @@ import abut.capability;
 import abut.core;
 import abut.math;
 import abut.pairs.any_shape;
-import abut.pairs.any_shape.shape_cast;
+import abut.pairs.any_shape.casts.shape_cast;
 import abut.pairs.registry;
 
 namespace {

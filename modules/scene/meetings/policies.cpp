@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: Apache-2.0
+module abut.scene.meetings.policies;
+import abut.capability;
+import abut.core.standard;
+import abut.core;
+import abut.scene.state.options;
+
+namespace abut {
+
+// The list holds each policy once and drops those that nobody uses, so that it never outgrows the pairs of tags.
+void PolicyTable::set(std::uint32_t tag_a, std::uint32_t tag_b, const Policy& policy) {
+  if (numbers_.empty()) {
+    numbers_.resize(std::size_t{tag_count} * tag_count);
+  }
+  const std::vector<Policy> before = policies_;
+  const auto assigned = [&](std::size_t cell) -> const Policy& {
+    const bool is_set = cell == tag_a * tag_count + tag_b || cell == tag_b * tag_count + tag_a;
+    return is_set ? policy : before[numbers_[cell]];
+  };
+  policies_.assign(1, Policy{});
+  for (std::size_t cell = 0; cell < numbers_.size(); ++cell) {
+    const Policy wanted = assigned(cell);
+    const auto found = std::ranges::find(policies_, wanted);
+    const auto number = static_cast<std::uint32_t>(found - policies_.begin());
+    if (found == policies_.end()) {
+      policies_.push_back(wanted);
+    }
+    numbers_[cell] = number;
+  }
+  largest_tolerance_ = 0;
+  for (const Policy& its : policies_) {
+    largest_tolerance_ = std::max(largest_tolerance_, its.tolerance);
+  }
+}
+
+Fault check_policy(const Policy& policy) {
+  if (policy.period == 0) {
+    return error_about(Errc::out_of_range, "period", std::uint64_t{0}, "at least 1");
+  }
+  if (Fault fault = check_finite("tolerance", policy.tolerance)) {
+    return fault;
+  }
+  return check_not_negative("error_bound", policy.error_bound);
+}
+
+bool PolicyTable::is_whole() const {
+  constexpr std::size_t most = std::size_t{tag_count} * tag_count;
+  const auto is_policy = [](const Policy& its) {
+    return its.algorithm <= Algorithm::libccd_mpr && its.detail <= Detail::touch && !check_policy(its);
+  };
+  const bool has_numbers = numbers_.empty() || numbers_.size() == std::size_t{tag_count} * tag_count;
+  return has_numbers && !policies_.empty() && policies_.size() <= most && std::ranges::all_of(policies_, is_policy) &&
+         std::ranges::all_of(numbers_, [&](std::uint32_t number) { return number < policies_.size(); }) &&
+         largest_tolerance_ >= 0 && largest_tolerance_ <= largest_coordinate;
+}
+
+}  // namespace abut
