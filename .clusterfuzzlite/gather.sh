@@ -10,8 +10,7 @@ for target in "$programs"/fuzz_*; do
   [ -f "$target" ] && [ -x "$target" ] || continue
   name=$(basename "$target") pair=${target##*/fuzz_}
   cp --dereference "$target" "$out/$name"
-  corpus=$root/fuzz/corpus/$pair
-  [ ! -d "$corpus" ] || (cd "$corpus" && python3 -m zipfile -c "$out/${name}_seed_corpus.zip" *)
+  "$root/fuzz/corpus_of.sh" "$pair" | xargs python3 -m zipfile -c "$out/${name}_seed_corpus.zip"
 done
 ldd "$programs"/fuzz_* | sed -n 's#.* => \(/.*/lib\(abut\|ccd\|qhull\|tbb\).*\) (.*#\1#p' | sort -u |
   xargs -r cp --dereference -t "$out/lib"

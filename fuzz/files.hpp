@@ -25,6 +25,17 @@ inline std::vector<std::filesystem::path> files_in(const std::filesystem::path& 
   return files;
 }
 
+// All files to play for a pair of kinds: those for every pair, those for a pair with a mesh, and its own regressions.
+inline std::vector<std::filesystem::path> files_of_pair(const std::filesystem::path& root, const std::string& a,
+                                                        const std::string& b) {
+  std::vector<std::filesystem::path> files = files_in(root / "corpus" / "pairs");
+  if (a == "mesh" || b == "mesh") {
+    std::ranges::copy(files_in(root / "corpus" / "meshes"), std::back_inserter(files));
+  }
+  std::ranges::copy(files_in(root / "regress" / (a + "_" + b)), std::back_inserter(files));
+  return files;
+}
+
 inline std::vector<std::uint8_t> bytes_of(const std::filesystem::path& path) {
   std::ifstream file(path, std::ios::binary);
   const std::string text{std::istreambuf_iterator<char>(file), {}};

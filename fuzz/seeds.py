@@ -1,11 +1,10 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Writes the committed corpus: six records for each pair of kinds of cmake/registry.cmake, one more for each pair with a
-mesh, which is made by cells there, and motions of some pairs.
+"""Writes the committed corpus: six records for all pairs of kinds, one more for pairs with a mesh, which is made by cells
+there, and motions.
 
 usage: fuzz/seeds.py
 """
-import re
 import struct
 from pathlib import Path
 
@@ -35,7 +34,6 @@ def seeds():
 
 # How two shapes move: bits of MovingRecord::aim.
 MEETS, RESTS, MOVES_ALIKE, GRAZES, STARTS_TOUCHING = 1, 2, 8, 16, 64
-MOVING_PAIRS = ("box_box", "capsule_capsule", "hull_hull", "box_mesh", "mesh_mesh", "box_plane", "distance_field_sphere")
 
 
 def motion(velocity=(0, 0, 0), spin=(0, 0, 0), push=(0, 0, 0), turning=(0, 0, 0), centre=(0, 0, 0)):
@@ -68,21 +66,12 @@ def motions():
 
 
 def main():
-    registry = (HERE.parent / "cmake" / "registry.cmake").read_text(encoding="utf-8")
-    kinds = sorted(re.findall(r"^abut_shape\((\w+)", registry, re.MULTILINE))
-    for place, a in enumerate(kinds):
-        for b in kinds[place:]:
-            folder = HERE / "corpus" / f"{a}_{b}"
-            folder.mkdir(parents=True, exist_ok=True)
-            for name, data in seeds().items():
-                (folder / name).write_bytes(data)
-            if "mesh" in (a, b):
-                (folder / "of_cells").write_bytes(record(OF_CELLS, position=(0.1, -0.05, 0.2)))
-    for pair in MOVING_PAIRS:
-        folder = HERE / "corpus" / f"motion_{pair}"
-        folder.mkdir(parents=True, exist_ok=True)
-        for name, data in motions().items():
-            (folder / name).write_bytes(data)
+    meshes = {"of_cells": record(OF_CELLS, position=(0.1, -0.05, 0.2))}
+    for folder, files in (("pairs", seeds()), ("meshes", meshes), ("motions", motions())):
+        place = HERE / "corpus" / folder
+        place.mkdir(parents=True, exist_ok=True)
+        for name, data in files.items():
+            (place / name).write_bytes(data)
 
 
 if __name__ == "__main__":

@@ -102,11 +102,10 @@ int replay(const std::filesystem::path& root, std::size_t random_count, std::uin
     }
   };
   for (const Pair& pair : pairs_with(kind)) {
-    for (const char* folder : {"corpus", "regress"}) {
-      for (const std::filesystem::path& path : fuzz_files::files_in(root / folder / pair.name)) {
-        ++files;
-        report(pair, path.filename().string(), judge_safely(pair, read_record(fuzz_files::bytes_of(path))));
-      }
+    const std::string a(abut::kind_name(pair.a)), b(abut::kind_name(pair.b));
+    for (const std::filesystem::path& path : fuzz_files::files_of_pair(root, a, b)) {
+      ++files;
+      report(pair, path.filename().string(), judge_safely(pair, read_record(fuzz_files::bytes_of(path))));
     }
     for (std::uint64_t i = 0; i < random_count; ++i) {
       Record record = random_record(seed + i);

@@ -28,5 +28,5 @@ rm -rf "$out/seeds" && mkdir "$out/seeds"
 python3 -m zipfile -e "$seeds" "$out/seeds"
 name=$(basename "$seeds" _seed_corpus.zip)
 runs=$("$out/$name" -runs=0 -artifact_prefix="$out/" "$out/seeds" 2>&1) || fail "$name fails: $runs"
-grep -q "INFO: *6 files found" <<<"$runs" || fail "$name did not read its six seeds: $runs"
+grep -q "INFO: *$("$root/fuzz/corpus_of.sh" "${name#fuzz_}" | wc -l) files found" <<<"$runs" || fail "$name did not read its seeds: $runs"
 echo "gathered: $count targets of $(du -sm "$out" | cut -f1) MB in all"

@@ -52,7 +52,7 @@ set(others ${chosen})
 foreach(a IN LISTS chosen)
   foreach(b IN LISTS others)
     # Without mutations: what these find depends on every change of the library.
-    run(${work}/build/fuzz/fuzz_${a}_${b} -runs=0 -artifact_prefix=${work}/build/ -verbosity=0 ${root}/fuzz/corpus/${a}_${b})
+    run(${work}/build/fuzz/fuzz_${a}_${b} -runs=0 -artifact_prefix=${work}/build/ -verbosity=0 ${root}/fuzz/corpus/pairs)
     message(STATUS "${a} and ${b}: no finding in the corpus")
   endforeach()
   list(POP_FRONT others)
