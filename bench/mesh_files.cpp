@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "mesh_files.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
 #include <fstream>
+#include <map>
 #include <sstream>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace bench {
@@ -100,6 +103,25 @@ TriangleMesh read_ply(const std::string& path) {
     throw std::runtime_error(path + " is not a PLY file of triangles");
   }
   return mesh;
+}
+
+TriangleMesh refined(const TriangleMesh& mesh) {
+  TriangleMesh fine{mesh.xyz, {}};
+  std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> middles;
+  const auto middle = [&](std::uint32_t a, std::uint32_t b) {
+    const auto [found, is_new] =
+        middles.try_emplace(std::minmax(a, b), static_cast<std::uint32_t>(fine.xyz.size() / 3));
+    for (std::size_t axis = 0; is_new && axis < 3; ++axis) {
+      fine.xyz.push_back((mesh.xyz[3 * a + axis] + mesh.xyz[3 * b + axis]) / 2);
+    }
+    return found->second;
+  };
+  for (std::size_t i = 0; i < mesh.triangles.size(); i += 3) {
+    const std::uint32_t a = mesh.triangles[i], b = mesh.triangles[i + 1], c = mesh.triangles[i + 2];
+    const std::uint32_t ab = middle(a, b), bc = middle(b, c), ca = middle(c, a);
+    fine.triangles.insert(fine.triangles.end(), {a, ab, ca, ab, b, bc, ca, bc, c, ab, bc, ca});
+  }
+  return fine;
 }
 
 }  // namespace bench

@@ -18,5 +18,7 @@ struct TriangleMesh {
 [[nodiscard]] TriangleMesh read_obj(const std::string& path);
 // Vertices and triangles of a PLY in ASCII.
 [[nodiscard]] TriangleMesh read_ply(const std::string& path);
+// Each triangle cut into four at the middles of its edges.
+[[nodiscard]] TriangleMesh refined(const TriangleMesh& mesh);
 
 }  // namespace bench

@@ -237,8 +237,8 @@ void add_depths(const std::string& cell, const Meeting* meeting) {
 }
 
 void add_pairs(Kept& kept) {
-  const TriangleMesh dragon = centred(read_ply(data_file("dragon_res3.ply")), 1);
-  if (const std::string cell = "two dragons of 47,794 that touch"; is_selected(cell)) {
+  const TriangleMesh dragon = centred(refined(read_ply(data_file("dragon_res4.ply"))), 1);
+  if (const std::string cell = "two dragons of 44,408 that touch"; is_selected(cell)) {
     const abut_shape* const shape = kept.mesh(dragon, ABUT_SIDES_BOTH);
     const FclMesh* const fcl = kept.make<FclMesh>(dragon);
     add_contacts(cell, kept.make<Meeting>(shape, shape, size_of(dragon), false, 0.002), fcl, fcl);

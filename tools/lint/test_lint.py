@@ -184,6 +184,9 @@ TREES = {
         ({f"modules/math/a{i}.cppm": "" for i in range(15)}, {f"modules/math/a{i}.cppm": "" for i in range(14)}),
         ({f"modules/math/a/b{i}.cpp": "" for i in range(15)}, {f"modules/math/{i % 2}/b{i}.cpp": "" for i in range(28)}),
     ],
+    "glossary": [
+        ({"docs/glossary.md": "| term | meaning |\n| a | b |\n| a | c |"}, {"docs/glossary.md": "| term | meaning |\n| a | b |\n\n| term | meaning |\n| c | a |"}),
+    ],
     "registry": [
         ({REGISTRY: "abut_shape(box Box 1)"}, BOX),
         ({**BOX, REGISTRY: "abut_shape(box Box 1)\nabut_shape(box Box 2)"}, BOX),

@@ -150,6 +150,16 @@ def shape_name(sources):
                 yield path, line, f"names the shape {match[0]}"
 
 
+def glossary(sources):
+    """Each word has one meaning."""
+    page = sources.get("docs/glossary.md")
+    seen = {}
+    for line, match in page.find(r"^\| ([^|]+?) \|", page.text) if page else []:
+        if match[1] in seen and match[1] != "term":
+            yield page.path, line, f"{match[1]} has a meaning in line {seen[match[1]]} already"
+        seen.setdefault(match[1], line)
+
+
 def _struct_bodies(code):
     for match in re.finditer(r"\bstruct\s+\w+\s*\{([^{}]*)\}", code):
         yield match.start(1), match[1]
@@ -201,4 +211,4 @@ def symbol_list(sources):
             yield listed_in, 1, "not sorted, or a name occurs twice"
 
 
-TREE_RULES = [layer_order, room_size, kernel_reach, unused_import, registry, shape_name, header, symbol_list]
+TREE_RULES = [layer_order, room_size, glossary, kernel_reach, unused_import, registry, shape_name, header, symbol_list]
