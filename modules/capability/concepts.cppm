@@ -139,8 +139,7 @@ concept Surface =
     };
 
 // A surface that may be declared solid. What it encloses then is inside; is_turned tells of a part that its front looks
-// inside. `pieces` has a vertex of each connected piece, or nothing where the surface has no piece that something else
-// could enclose.
+// inside. `pieces` has a vertex of each connected piece.
 template <class S>
 concept Enclosing = Surface<S> && requires(const S& shape, const Vec3& point, std::uint32_t index) {
   { shape.is_solid() } -> std::same_as<bool>;

@@ -133,9 +133,7 @@ class DeepestFirst {
 
 [[nodiscard]] bool has_point_inside(const SurfaceSource& surface, const SurfaceSource& other, const Pose& placing) {
   const auto is_inside = [&](const Vec3& point) { return surface.contains(placing * point); };
-  // A terrain is in one piece.
-  return is_solid(surface) && (other.is_terrain() ? is_inside(other.part_near(other.box().centre()).corners()[0])
-                                                  : std::ranges::any_of(other.pieces(), is_inside));
+  return is_solid(surface) && std::ranges::any_of(other.pieces(), is_inside);
 }
 
 // Of two triangles that are within reach: whether the second one is pushed back by the front of the first one.

@@ -4,6 +4,7 @@ import abut.capability;
 import abut.capability.grid_checks;
 import abut.core.standard;
 import abut.core;
+import abut.core.joined_sets;
 import abut.math;
 import abut.trees.grids.range_pyramid;
 
@@ -130,6 +131,34 @@ std::int64_t HeightField::change_of_count(const HeightEdit& edit) const {
          static_cast<std::int64_t>(count_triangles(cells, field.diagonal, before));
 }
 
+// A field without holes is one piece. What holes leave is joined by the samples that triangles share.
+std::vector<Vec3> HeightField::find_pieces() const {
+  if (!lacks_triangles()) {
+    return {point(0, 0)};
+  }
+  JoinedSets joined(data_->heights.size());
+  std::vector<std::uint32_t> samples;  // one of each triangle
+  for (std::uint32_t index = 0; index < triangle_count(); ++index) {
+    if (is_there(corners_in_grid(index))) {
+      const std::uint32_t cell = index / 2, columns = data_->columns;
+      const auto at = samples_of(cell % (columns - 1), cell / (columns - 1), index % 2 != 0);
+      const auto number = [columns](const Sample& sample) { return sample.j * columns + sample.i; };
+      joined.join(number(at[0]), number(at[1]));
+      joined.join(number(at[0]), number(at[2]));
+      samples.push_back(number(at[0]));
+    }
+  }
+  std::ranges::transform(samples, samples.begin(), [&](std::uint32_t sample) { return joined.of(sample); });
+  std::ranges::sort(samples);
+  const auto repeated = std::ranges::unique(samples);
+  samples.erase(repeated.begin(), repeated.end());
+  std::vector<Vec3> pieces;
+  for (const std::uint32_t sample : samples) {
+    pieces.push_back(point(sample % data_->columns, sample / data_->columns));
+  }
+  return pieces;
+}
+
 Fault HeightField::check(const HeightEdit& edit) const {
   if (Fault fault = check_stretch({"column", "columns", edit.column, edit.columns}, data_->columns)) {
     return fault;
@@ -146,6 +175,7 @@ Fault HeightField::check(const HeightEdit& edit) const {
 
 Aabb HeightField::apply(const HeightEdit& edit) {
   Data& field = data_.own();
+  field.pieces.forget();
   field.triangle_count += static_cast<std::uint64_t>(change_of_count(edit));
   for (std::uint32_t j = 0; j < edit.rows; ++j) {
     const std::span<const Real> from = edit.heights.subspan(std::size_t{j} * edit.columns, edit.columns);

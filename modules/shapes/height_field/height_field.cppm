@@ -140,7 +140,9 @@ class HeightField {
   [[nodiscard]] inline bool is_solid() const { return data_->is_solid; }
   [[nodiscard]] bool contains(const Vec3& point) const;
   [[nodiscard]] inline bool is_turned(std::uint32_t) const { return false; }
-  [[nodiscard]] inline std::span<const Vec3> pieces() const { return {}; }
+  [[nodiscard]] std::span<const Vec3> pieces() const [[clang::lifetimebound]] {
+    return data_->pieces.get([this] { return find_pieces(); });
+  }
 
   // Other heights. O(heights that change + log(all heights)).
   [[nodiscard]] Fault check(const HeightEdit& edit) const;
@@ -160,6 +162,7 @@ class HeightField {
     RangePyramid ranges;        // of the heights
     Aabb box;
     std::uint64_t triangle_count;
+    Lazy<std::vector<Vec3>> pieces{};
 
     // The low end of the box, where the lowest sample is at `lowest`.
     [[nodiscard]] Real floor_below(Real lowest) const {
@@ -327,6 +330,7 @@ class HeightField {
   [[nodiscard]] static std::uint64_t count_triangles(const RangePyramid::Rectangle& cells, Diagonal diagonal,
                                                      const HeightAt& height_at);
   [[nodiscard]] std::int64_t change_of_count(const HeightEdit& edit) const;
+  [[nodiscard]] std::vector<Vec3> find_pieces() const;
   [[nodiscard]] static inline std::uint32_t cell_at(Real position, std::uint32_t samples) {
     const Real last = samples - 2;
     return position > 0 ? static_cast<std::uint32_t>(std::min(position, last)) : 0;

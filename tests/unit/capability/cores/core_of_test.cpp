@@ -3,8 +3,8 @@
 
 #include <type_traits>
 
-#include "../made.hpp"
-#include "../random_boxes.hpp"
+#include "../../made.hpp"
+#include "../../random_boxes.hpp"
 
 import abut.capability;
 import abut.math;

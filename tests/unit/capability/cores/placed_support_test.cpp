@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "../shapes/surface_checks.hpp"
+#include "../../shapes/surface_checks.hpp"
 
 import abut.capability;
 import abut.math;

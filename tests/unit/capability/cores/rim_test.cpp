@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <numbers>
 
-#include "../random_boxes.hpp"
+#include "../../random_boxes.hpp"
 
 import abut.capability;
 import abut.math;

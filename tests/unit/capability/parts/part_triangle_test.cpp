@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "../shapes/surface_checks.hpp"
+#include "../../shapes/surface_checks.hpp"
 
 import abut.capability;
 import abut.math;

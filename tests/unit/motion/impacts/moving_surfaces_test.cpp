@@ -11,7 +11,7 @@
 #include <random>
 #include <vector>
 
-#include "../damaged_meshes.hpp"
+#include "../../damaged_meshes.hpp"
 
 import abut.capability;
 import abut.math;

@@ -13,8 +13,8 @@
 #include <utility>
 #include <vector>
 
-#include "field_grid.hpp"
-#include "surface_checks.hpp"
+#include "../field_grid.hpp"
+#include "../surface_checks.hpp"
 
 import abut.capability;
 import abut.core;

@@ -9,9 +9,10 @@
 #include <set>
 #include <string>
 #include <tuple>
+#include <utility>
 #include <vector>
 
-#include "surfaces.hpp"
+#include "../surfaces.hpp"
 
 import abut.capability;
 import abut.core;
@@ -232,6 +233,65 @@ TEST(HeightField, BoxOnAGridLineMeetsTheCellsOnBothSides) {
   field.visit_parts(box, [&](const abut::Triangle&, std::uint32_t index) { cells.push_back(index / 2); });
   std::sort(cells.begin(), cells.end());
   EXPECT_EQ(cells, (std::vector<std::uint32_t>{0, 0, 1, 1}));
+}
+
+// Which samples triangles join, found by going from one to the next until none is new.
+std::set<std::set<std::pair<double, double>>> islands_of(const HeightField& field) {
+  std::vector<std::set<std::pair<double, double>>> triangles;
+  const abut::Triangles all = field.triangles();
+  for (std::size_t i = 0; i + 2 < all.indices.size(); i += 3) {
+    std::set<std::pair<double, double>> corners;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Vec3 corner = all.vertices[all.indices[i + k]];
+      corners.insert({corner.x, corner.y});
+    }
+    if (corners.size() == 3) triangles.push_back(corners);
+  }
+  std::set<std::set<std::pair<double, double>>> islands;
+  while (!triangles.empty()) {
+    std::set<std::pair<double, double>> island = triangles.back();
+    for (bool grows = true; grows;) {
+      grows = std::erase_if(triangles, [&](const auto& corners) {
+                const bool meets =
+                    std::ranges::any_of(corners, [&](const auto& corner) { return island.contains(corner); });
+                if (meets) island.insert(corners.begin(), corners.end());
+                return meets;
+              }) != 0;
+    }
+    islands.insert(island);
+  }
+  return islands;
+}
+
+TEST(HeightField, HasAVertexOfEachPiece) {
+  constexpr std::uint64_t seed = 77;
+  SCOPED_TRACE("seed " + std::to_string(seed));
+  test::Random random(seed);
+  int with_several = 0;
+  for (int round = 0; round < 200; ++round) {
+    std::vector<double> heights(56, 0);
+    for (double& height : heights) height = random.uniform(0, 1) < 0.35 ? std::nan("") : 0;
+    const auto made = HeightField::make(std::vector<double>{8, 7, 1, 1, static_cast<double>(round % 3)}, heights, {});
+    if (!made) continue;
+    HeightField field = made.value();
+    for (const bool is_edited : {false, true}) {
+      if (is_edited) {
+        const std::vector<double> there(16, 0);
+        static_cast<void>(field.apply({2, 2, 4, 4, there}));
+      }
+      const auto islands = islands_of(field);
+      with_several += islands.size() > 1 ? 1 : 0;
+      std::set<std::set<std::pair<double, double>>> told;
+      for (const Vec3& piece : field.pieces()) {
+        for (const auto& island : islands) {
+          if (island.contains({piece.x, piece.y})) EXPECT_TRUE(told.insert(island).second);
+        }
+      }
+      EXPECT_EQ(told, islands);
+      EXPECT_EQ(field.pieces().size(), islands.size());
+    }
+  }
+  EXPECT_GT(with_several, 50);
 }
 
 }  // namespace

@@ -14,7 +14,7 @@
 #include <utility>
 #include <vector>
 
-#include "../random_boxes.hpp"
+#include "../../random_boxes.hpp"
 
 import abut.capability;
 import abut.math;

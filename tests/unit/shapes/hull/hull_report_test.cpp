@@ -15,8 +15,8 @@
 #include <utility>
 #include <vector>
 
-#include "../hull_of.hpp"
-#include "../random_boxes.hpp"
+#include "../../hull_of.hpp"
+#include "../../random_boxes.hpp"
 
 import abut.capability;
 import abut.math;

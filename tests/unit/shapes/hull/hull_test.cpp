@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "../hull_of.hpp"
-#include "surface_checks.hpp"
+#include "../../hull_of.hpp"
+#include "../surface_checks.hpp"
 
 import abut.capability.cores.core_feature;
 import abut.capability;

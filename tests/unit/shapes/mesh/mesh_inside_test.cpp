@@ -10,8 +10,8 @@
 #include <span>
 #include <vector>
 
-#include "../damaged_meshes.hpp"
-#include "surfaces.hpp"
+#include "../../damaged_meshes.hpp"
+#include "../surfaces.hpp"
 
 import abut.capability;
 import abut.math;

@@ -7,7 +7,7 @@
 #include <limits>
 #include <vector>
 
-#include "surfaces.hpp"
+#include "../surfaces.hpp"
 
 import abut.capability;
 import abut.core;

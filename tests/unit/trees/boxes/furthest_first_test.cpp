@@ -6,7 +6,7 @@
 #include <set>
 #include <vector>
 
-#include "../random_boxes.hpp"
+#include "../../random_boxes.hpp"
 
 import abut.math;
 import abut.trees.boxes.bvh;

@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-#include "../random_boxes.hpp"
+#include "../../random_boxes.hpp"
 
 import abut.math;
 import abut.trees.boxes.bvh;

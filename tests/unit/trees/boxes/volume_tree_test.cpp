@@ -11,7 +11,7 @@
 #include <set>
 #include <vector>
 
-#include "../random_boxes.hpp"
+#include "../../random_boxes.hpp"
 
 import abut.capability.parts.item_tree;
 import abut.math;

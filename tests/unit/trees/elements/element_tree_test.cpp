@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "../elements/folded_sheet.hpp"
+#include "../../elements/folded_sheet.hpp"
 
 import abut.core;
 import abut.math;

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "../random_boxes.hpp"
+#include "../../random_boxes.hpp"
 
 import abut.math;
 import abut.trees.grids.particle_grid;

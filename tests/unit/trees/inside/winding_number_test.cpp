@@ -10,8 +10,8 @@
 #include <thread>
 #include <vector>
 
-#include "../../oracle/winding.hpp"
-#include "../damaged_meshes.hpp"
+#include "../../../oracle/winding.hpp"
+#include "../../damaged_meshes.hpp"
 
 import abut.math;
 import abut.trees.inside.winding_number;

@@ -8,8 +8,8 @@
 #include <limits>
 #include <optional>
 
-#include "../broadphase/box_scene.hpp"
-#include "../random_boxes.hpp"
+#include "../../broadphase/box_scene.hpp"
+#include "../../random_boxes.hpp"
 
 import abut.math;
 import abut.trees.volumes.box_sweep;

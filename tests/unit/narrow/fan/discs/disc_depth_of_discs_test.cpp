@@ -6,9 +6,9 @@
 #include <optional>
 #include <vector>
 
-#include "../../made.hpp"
-#include "../../least_overlap.hpp"
-#include "../../random_boxes.hpp"
+#include "../../../made.hpp"
+#include "../../../least_overlap.hpp"
+#include "../../../random_boxes.hpp"
 
 import abut.capability;
 import abut.math;

@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "shape_casts.hpp"
+#include "../shape_casts.hpp"
 
 import abut.pairs.any_shape;
 
