@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // What the broad phases that keep pairs from call to call have in common, whatever finds neighbours for them.
 module;
-#include "../core/check.hpp"
+#include "../../core/check.hpp"
 export module abut.broadphase.kept.followed_boxes;
 import abut.broadphase.box_record;
 import abut.broadphase.kept.kept_pairs;

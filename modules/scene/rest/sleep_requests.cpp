@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // What callers say about sleep.
 module;
-#include "../core/check.hpp"
+#include "../../core/check.hpp"
 module abut.scene;
 import abut.capability;
 import abut.core.standard;

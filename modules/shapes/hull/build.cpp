@@ -6,7 +6,7 @@ module;
 #pragma clang diagnostic ignored "-Weverything"
 #include <libqhull_r/qhull_ra.h>
 #pragma clang diagnostic pop
-#include "../core/check.hpp"
+#include "../../core/check.hpp"
 module abut.shapes.hull.data;
 import abut.core.standard;
 import abut.core;
