@@ -5,6 +5,7 @@ export import abut.capability;
 import abut.core.standard;
 import abut.core;
 export import abut.math;
+export import abut.narrow.surface.bodies_on_surface;
 import abut.narrow.surface.contacts_under_planes;
 import abut.narrow.parts.nearest_of_parts;
 import abut.narrow.surface.separating_translation;
@@ -33,6 +34,32 @@ template <Convex B>
     return found;
   }
 }
+
+template <Convex B>
+class OneOfBodies final : public BodyOnSurface {
+ public:
+  OneOfBodies(const TriangleSource& surface, const B& b, const Pose& ab, const QuerySettings& settings)
+      : thick_(searched(b)),
+        ab_(ab),
+        settings_(settings),
+        search_(surface, thick_, ab_, settings_, 0, surface.sides()) {}
+
+  bool is_met() const override { return search_.is_met(); }
+  TranslationSearch begin() override { return search_.begin(); }
+  SurfaceExit exit_along(const Vec3& direction, Real from, Real enough) override {
+    return search_.exit_along(direction, from, enough);
+  }
+  Obstacles& obstacles() override { return search_; }
+  Vec3 last_point(const SeparatingTranslation& translation) const override {
+    return search_.last_point(translation, thick_);
+  }
+
+ private:
+  B thick_;
+  Pose ab_;
+  QuerySettings settings_;
+  SurfaceSearch<B> search_;
+};
 
 // See surface_kernels.
 template <Convex B>

@@ -20,7 +20,7 @@ import abut.narrow.surface.triangle_source;
 export namespace abut {
 
 template <Convex B>
-class SurfaceSearch : public NearTriangles<B>, private Obstacles {
+class SurfaceSearch : public NearTriangles<B>, public Obstacles {
  public:
   using Near = NearTriangles<B>;
   using Near::Near;
@@ -36,6 +36,10 @@ class SurfaceSearch : public NearTriangles<B>, private Obstacles {
         return way_of_point();
       }
     }
+    return find_translation(*this, begin());
+  }
+  // What is known before the search.
+  [[nodiscard]] TranslationSearch begin() {
     if (place_inside({0, 0, 0})) {
       begin_inside();
     }
@@ -48,8 +52,46 @@ class SurfaceSearch : public NearTriangles<B>, private Obstacles {
     // A first way that leads down into a solid may be long: others are tried before it.
     constexpr Real of_first = 4;
     const Real first = sides_ == StoppingSides::solid ? of_first * (size_ + least_) : infinity;
-    return find_translation(*this, {size_, tolerance_, least_, deepest_way_, infinity, first, of_start, far,
-                                    most_around, true, most_polishes});
+    return {size_, tolerance_, least_, deepest_way_, infinity, first, of_start, far, most_around, true, most_polishes};
+  }
+  [[nodiscard]] SurfaceExit exit_along(const Vec3& direction, Real enough) override {
+    return exit_along(direction, 0, enough);
+  }
+  // No earlier than at `from`.
+  [[nodiscard]] SurfaceExit exit_along(const Vec3& direction, Real from, Real enough) {
+    SurfaceExit exit;
+    exit.length = from;
+    const Real lowest = lowest_point_along(b_, ab_, direction);
+    if (is_blocked_again(direction, lowest, enough, exit)) {
+      return exit;
+    }
+    set_bounds(direction, lowest);
+    // Each round passes something; so many only where rounding leads on and on.
+    constexpr int most_rounds = 4096;
+    bool has_end = false;
+    for (int round = 0; round < most_rounds && !has_end; ++round) {
+      if (!leave_overlapped(direction, enough, exit)) {
+        return exit;
+      }
+      const Real before = exit.length;
+      if (!leave_those_ahead(direction, lowest, enough, exit)) {
+        return exit;
+      }
+      has_end = !(exit.length > before) && !leave_inside(direction, enough, exit);
+      if (exit.is_stopped) {
+        return exit;
+      }
+    }
+    if (!has_end) {
+      exit.stop({direction, infinity, {}});
+      exit.touches.clear();
+      return exit;
+    }
+    exit.settle(tie(), 4 * tolerance_);
+    if (!exit.touches.empty()) {
+      last_blocker_ = exit.touches[0].at;
+    }
+    return exit;
   }
 
   // The same translation for a rod that is thinner than the one that was searched for, by less than the tie.
@@ -164,41 +206,6 @@ class SurfaceSearch : public NearTriangles<B>, private Obstacles {
   [[nodiscard]] Real tie() const {
     constexpr Real near_share = 1e-7;
     return std::max(4 * tolerance_, near_share * size_);
-  }
-
-  [[nodiscard]] SurfaceExit exit_along(const Vec3& direction, Real enough) override {
-    SurfaceExit exit;
-    const Real lowest = lowest_point_along(b_, ab_, direction);
-    if (is_blocked_again(direction, lowest, enough, exit)) {
-      return exit;
-    }
-    set_bounds(direction, lowest);
-    // Each round passes something; so many only where rounding leads on and on.
-    constexpr int most_rounds = 4096;
-    bool has_end = false;
-    for (int round = 0; round < most_rounds && !has_end; ++round) {
-      if (!leave_overlapped(direction, enough, exit)) {
-        return exit;
-      }
-      const Real before = exit.length;
-      if (!leave_those_ahead(direction, lowest, enough, exit)) {
-        return exit;
-      }
-      has_end = !(exit.length > before) && !leave_inside(direction, enough, exit);
-      if (exit.is_stopped) {
-        return exit;
-      }
-    }
-    if (!has_end) {
-      exit.stop({direction, infinity, {}});
-      exit.touches.clear();
-      return exit;
-    }
-    exit.settle(tie(), 4 * tolerance_);
-    if (!exit.touches.empty()) {
-      last_blocker_ = exit.touches[0].at;
-    }
-    return exit;
   }
 
   [[nodiscard]] static Real reach_of(const NearFour& four, std::size_t lane, const Vec3& direction) {

@@ -5,6 +5,7 @@ export module abut.narrow.surface.surface_kernels;
 import abut.capability;
 import abut.core.standard;
 import abut.math;
+import abut.narrow.surface.bodies_on_surface;
 import abut.narrow.surface.triangle_source;
 
 export namespace abut {
@@ -18,5 +19,10 @@ void surface_contacts(const TriangleSource& surface, const B& b, const Pose& ab,
 template <Convex B>
 [[nodiscard]] bool surface_depth(const TriangleSource& surface, const B& b, const Pose& ab,
                                  const QuerySettings& settings, Distance& out);
+
+// One of several shapes that move together. The surface has to outlive it.
+template <Convex B>
+[[nodiscard]] std::unique_ptr<BodyOnSurface> body_on_surface(const TriangleSource& surface, const B& b, const Pose& ab,
+                                                             const QuerySettings& settings);
 
 }  // namespace abut

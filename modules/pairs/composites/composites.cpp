@@ -196,6 +196,11 @@ Outcome distance_of_solids(const AnyShape& a, const AnyShape& b, const Pose& ab,
                           });
   if (best.distance < 0 && may_group(settings)) {
     take_depth_of_groups(a, b, ab, settings, best);
+    for (const bool is_surface_a : {true, false}) {
+      if (Distance whole{}; depth_of_children(a, b, ab, is_surface_a, -best.distance, settings, whole)) {
+        static_cast<void>(take_part(whole, best));
+      }
+    }
   }
   return outcomes.outcome();
 }

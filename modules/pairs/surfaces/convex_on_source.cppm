@@ -4,6 +4,7 @@ export module abut.pairs.surfaces.convex_on_source;
 import abut.capability;
 import abut.core.standard;
 import abut.math;
+import abut.narrow.surface.bodies_on_surface;
 import abut.narrow.surface.triangle_source;
 import abut.pairs.registry;
 
@@ -15,5 +16,8 @@ void contacts_on_source(const TriangleSource& surface, const AnyShape& body, con
 // False where nothing is overlapped.
 [[nodiscard]] bool depth_on_source(const TriangleSource& surface, const AnyShape& body, const Pose& pose,
                                    const QuerySettings& settings, Distance& out);
+// One of several shapes that move together. The surface has to outlive it.
+[[nodiscard]] std::unique_ptr<BodyOnSurface> body_on_source(const TriangleSource& surface, const AnyShape& body,
+                                                            const Pose& pose, const QuerySettings& settings);
 
 }  // namespace abut

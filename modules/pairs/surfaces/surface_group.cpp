@@ -5,7 +5,9 @@ import abut.core.standard;
 import abut.core;
 import abut.math;
 import abut.math.tolerance;
+import abut.narrow.surface.bodies_on_surface;
 import abut.narrow.surface.surfaces;
+import abut.narrow.triangle.stopping_sides;
 import abut.narrow.triangle.triangle_point;
 import abut.narrow.surface.triangle_source;
 import abut.pairs.composites.children;
@@ -222,6 +224,60 @@ bool depth_of_group(std::span<const ChildPair> group, bool is_surface_a, const Q
     move_by(out, Pose::identity(), true);
   }
   return is_overlapped;
+}
+
+bool depth_of_children(const AnyShape& a, const AnyShape& b, const Pose& ab, bool is_surface_a, Real depth,
+                       const QuerySettings& settings, Distance& out) {
+  const AnyShape &ground = is_surface_a ? a : b, &composite = is_surface_a ? b : a;
+  const Pose ground_pose = is_surface_a ? Pose::identity() : ab, body_pose = is_surface_a ? ab : Pose::identity();
+  if (!is_assembly(composite)) {
+    return false;
+  }
+  bool is_found = false;
+  for (const StoppingSides sides : {StoppingSides::both, StoppingSides::front, StoppingSides::solid}) {
+    // The way of all may be longer, and lead past more of both.
+    std::size_t known = 0;
+    for (Real reach = depth;;) {
+      const Aabb around = box_of(composite, ground_pose.inverse() * body_pose).inflated(reach);
+      ChildPairs surfaces;
+      visit_children(ground, ground_pose, around, [&](const AnyShape& child, const Pose& pose, std::uint32_t number) {
+        if (sides_of_surface(child) == sides) {
+          surfaces.push_back(is_surface_a ? ChildPair{&child, &b, pose, ab, number, 0}
+                                          : ChildPair{&a, &child, Pose::identity(), pose, 0, number});
+        }
+      });
+      if (surfaces.empty()) {
+        break;
+      }
+      std::ranges::sort(surfaces.span(), {}, [](const ChildPair& its) { return std::pair(its.child_a, its.child_b); });
+      const SurfaceGroup group(surfaces.span(), is_surface_a);
+      BodiesOnSurface bodies;
+      visit_children(composite, body_pose, transformed(group.box().inflated(reach), body_pose.inverse()),
+                     [&](const AnyShape& child, const Pose& pose, std::uint32_t) {
+                       if (is_convex(child)) {
+                         bodies.push_back(body_on_source(group, child, pose, settings));
+                       }
+                     });
+      Distance found{};
+      const std::size_t count = surfaces.size() + bodies.size();
+      if (bodies.size() < 2 || count == known || !depth_of_bodies(bodies, sides, found)) {
+        break;
+      }
+      known = count;
+      if (!is_surface_a) {
+        move_by(found, Pose::identity(), true);
+      }
+      if (!is_found || found.distance < out.distance) {
+        out = found;
+      }
+      is_found = true;
+      if (-found.distance <= reach) {
+        break;
+      }
+      reach = -found.distance;
+    }
+  }
+  return is_found;
 }
 
 }  // namespace abut

@@ -14,5 +14,8 @@ ChildPairs group_of(const AnyShape&, const AnyShape&, const Pose&, const ChildPa
 bool may_group(const QuerySettings&) { return false; }
 void contacts_of_group(std::span<const ChildPair>, bool, const QuerySettings&, Manifold&) {}
 bool depth_of_group(std::span<const ChildPair>, bool, const QuerySettings&, Distance&) { return false; }
+bool depth_of_children(const AnyShape&, const AnyShape&, const Pose&, bool, Real, const QuerySettings&, Distance&) {
+  return false;
+}
 
 }  // namespace abut

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+// Several convex shapes that move as one body: the children of a composite, or particles. A way out of a surface that
+// one of them takes by itself may lead another one into it.
+export module abut.narrow.surface.bodies_on_surface;
+import abut.capability;
+import abut.core.standard;
+import abut.math;
+import abut.narrow.triangle.stopping_sides;
+import abut.narrow.ways.translation_search;
+
+export namespace abut {
+
+// One of them.
+class BodyOnSurface {
+ public:
+  BodyOnSurface() = default;
+  BodyOnSurface(const BodyOnSurface&) = delete;
+  BodyOnSurface& operator=(const BodyOnSurface&) = delete;
+  virtual ~BodyOnSurface() = default;
+
+  // Whether it overlaps a triangle, or is in a solid.
+  [[nodiscard]] virtual bool is_met() const = 0;
+  // What is known of its own way out. To be called before the others, which are only called where some shape is met.
+  [[nodiscard]] virtual TranslationSearch begin() = 0;
+  // The end of the overlap along a direction, no earlier than at `from`. See Obstacles.
+  [[nodiscard]] virtual SurfaceExit exit_along(const Vec3& direction, Real from, Real enough) = 0;
+  // What it would try by itself.
+  [[nodiscard]] virtual Obstacles& obstacles() = 0;
+  // The point of it, where it is, that is last to leave the surface.
+  [[nodiscard]] virtual Vec3 last_point(const SeparatingTranslation& translation) const = 0;
+};
+
+using BodiesOnSurface = std::vector<std::unique_ptr<BodyOnSurface>>;
+
+// The shortest translation found after which none overlaps the surface, in the frame of the surface, which is side a.
+// False where none is met.
+[[nodiscard]] bool depth_of_bodies(const BodiesOnSurface& bodies, StoppingSides sides, Distance& out);
+
+}  // namespace abut
