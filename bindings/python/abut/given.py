@@ -7,7 +7,7 @@ import ctypes
 from ctypes import c_double, c_uint32, c_uint64
 from typing import Any
 
-from . import c
+from . import c, rotations
 from .records import ROWS, Records, dtype_of, numpy
 
 _LIMITS = {c_uint32: 2**32 - 1, c_uint64: 2**64 - 1}
@@ -142,6 +142,8 @@ def structs(kind: Any, name: str, values: Any) -> Given:
         return Given(name, values.memory)
     if isinstance(values, ctypes.Array) and values._type_ is kind:
         return Given(name, values)
+    if kind is c.Pose:
+        values = rotations.pose_rows(name, values)
     if is_array(values):
         return _structs_of_array(kind, name, values)
     items = list(values)
@@ -168,6 +170,8 @@ def _row(kind, name, item):
     """One struct, from itself or from its numbers."""
     if isinstance(item, kind):
         return item
+    if kind is c.Pose:
+        item = rotations.pose_rows(name, item)
     width = ROWS.get(kind)
     if width is None or not hasattr(item, "__iter__"):
         raise TypeError(f"{name} is of type {type(item).__name__}; it must be a {kind.__name__}")
@@ -183,7 +187,7 @@ def one(kind: Any, name: str, value: Any) -> Any:
 
 
 def pose(name: str, value: Any) -> c.Pose:
-    """A single pose: a Pose, or x, y, z and then w, x, y, z of its quaternion."""
+    """A single pose: a Pose, x, y, z and then w, x, y, z of its quaternion, or a homogeneous 4 x 4 matrix."""
     return one(c.Pose, name, value)
 
 

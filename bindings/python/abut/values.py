@@ -6,23 +6,44 @@ from __future__ import annotations
 from ctypes import c_double
 from typing import Any
 
-from . import c, given
-from .records import Records, is_numpy_loaded
+from . import c, given, rotations
+from .records import Records, is_numpy_loaded, numpy
 
-__all__ = ["pose", "poses", "ray", "rays"]
+__all__ = ["matrices", "pose", "poses", "ray", "rays"]
 
 INFINITY = float("inf")
 
 
 def pose(x: float = 0.0, y: float = 0.0, z: float = 0.0, orientation: Any = (1.0, 0.0, 0.0, 0.0)) -> c.Pose:
-    """A pose from a position and a unit quaternion, scalar first."""
-    return c.Pose(c.Vec3(x, y, z), given.one(c.Quat, "orientation", orientation))
+    """A pose from a position and an orientation.
+
+    That is a unit quaternion, scalar first, a 3 x 3 rotation matrix, or a rotation of SciPy.
+    """
+    turn = rotations.quaternion("orientation", orientation)
+    return c.Pose(c.Vec3(x, y, z), given.one(c.Quat, "orientation", turn))
 
 
 def poses(positions: Any, orientations: Any = (1.0, 0.0, 0.0, 0.0)) -> Records:
-    """Poses from (N, 3) positions and (N, 4) unit quaternions, scalar first; one of either serves for all."""
-    places, turns = given.structs(c.Vec3, "positions", positions), given.structs(c.Quat, "orientations", orientations)
+    """Poses from (N, 3) positions and N orientations; one of either serves for all.
+
+    Orientations are (N, 4) unit quaternions, scalar first, (N, 3, 3) rotation matrices, or a rotation of SciPy.
+    """
+    places = given.structs(c.Vec3, "positions", positions)
+    turns = given.structs(c.Quat, "orientations", rotations.quaternions("orientations", orientations))
     return _joined(c.Pose, given.together(places, turns), position=places, orientation=turns)
+
+
+def matrices(poses: Any) -> Any:
+    """Poses as an array of (N, 4, 4) homogeneous matrices, or of (4, 4) for one pose."""
+    np, read = numpy(), given.structs(c.Pose, "poses", poses)
+    numbers = Records(read.memory).array
+    w, i, j, k = numbers[:, 3:].T / np.linalg.norm(numbers[:, 3:], axis=1)
+    out = np.zeros((len(read), 4, 4))
+    out[:, 0, :3] = np.stack([1 - 2 * (j * j + k * k), 2 * (i * j - w * k), 2 * (i * k + w * j)], axis=1)
+    out[:, 1, :3] = np.stack([2 * (i * j + w * k), 1 - 2 * (i * i + k * k), 2 * (j * k - w * i)], axis=1)
+    out[:, 2, :3] = np.stack([2 * (i * k - w * j), 2 * (j * k + w * i), 1 - 2 * (i * i + j * j)], axis=1)
+    out[:, :3, 3], out[:, 3, 3] = numbers[:, :3], 1
+    return out[0] if read.is_one else out
 
 
 def ray(origin: Any, direction: Any, max_distance: float = INFINITY) -> c.Ray:

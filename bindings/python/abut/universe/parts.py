@@ -41,6 +41,16 @@ class Parts(Lender):
         """Destroys parts and their geometries, all or none."""
         self._change_parts(library.abut_parts_destroy, parts)
 
+    def set_pose(self, part: c.PartId, at: Any) -> None:
+        """Places one part."""
+        self._change(library.abut_part_set_pose, part, byref(given.pose("at", at)))
+
+    def pose(self, part: c.PartId) -> c.Pose:
+        """The pose of one part."""
+        out = c.Pose()
+        self._read(library.abut_part_pose, part, byref(out))
+        return out
+
     def set_poses(self, parts: Any, poses: Any) -> None:
         """Places parts at (N, 7) poses, or all at one pose."""
         self._change_parts(library.abut_parts_set_poses, parts, given.structs(c.Pose, "poses", poses))
