@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Triangles from files and from objects of other libraries.
 
-OBJ and STL are read here. Other formats are read by trimesh or meshio, where one of them is installed.
+OBJ, PLY and STL are read here. Other formats are read by trimesh or meshio, where one of them is installed.
 """
 
 from __future__ import annotations
@@ -11,6 +11,8 @@ import os
 import pathlib
 import struct
 from typing import Any
+
+from . import ply
 
 _BINARY_STL_HEADER = 84
 _BINARY_STL_TRIANGLE = struct.Struct("<12fH")
@@ -40,11 +42,13 @@ def _read(path):
         return _read_obj(path)
     if suffix == ".stl":
         return _read_stl(path)
+    if suffix == ".ply":
+        return ply.read(path)
     for name, read in (("trimesh", _read_by_trimesh), ("meshio", _read_by_meshio)):
         if importlib.util.find_spec(name):
             return read(path)
-    raise ValueError(f"{path}: .obj and .stl are read by abut; {suffix or 'a file without a suffix'} needs trimesh or "
-                     "meshio, and neither is installed: pip install trimesh")
+    raise ValueError(f"{path}: .obj, .ply and .stl are read by abut; {suffix or 'a file without a suffix'} needs "
+                     "trimesh or meshio, and neither is installed: pip install trimesh")
 
 
 def _read_by_trimesh(path):

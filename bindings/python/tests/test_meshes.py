@@ -80,17 +80,62 @@ class Meshes(unittest.TestCase):
         with self.assertRaisesRegex(ValueError, "text.stl, line 4: 'vertex 0 0' is no vertex"):
             abut.Shape.mesh(self.file("text.stl", text.replace("vertex 0 0 0", "vertex 0 0", 1)))
 
+    def ply(self, form, body, faces="list uchar int vertex_indices"):
+        header = (f"ply\nformat {form} 1.0\ncomment a square\nelement vertex 4\nproperty double x\nproperty double y\n"
+                  f"property float z\nproperty uchar red\nelement material 1\nproperty list uchar short numbers\n"
+                  f"element face 2\nproperty {faces}\nproperty uchar flags\nend_header\n")
+        return header.encode() + body
+
+    def test_ply(self):
+        corners = "".join(f"{x} {y} {z} 255\n" for x, y, z in CORNERS)
+        text = self.ply("ascii", f"{corners}2 -5 6\n3 0 1 2 0\n3 0 2 3 0\n".encode())
+        self.expect_square(abut.Shape.mesh(self.file("text.ply", text)))
+        self.expect_square(abut.Shape.mesh(self.file("returns.PLY", text.replace(b"\n", b"\r\n"))))
+        for form, order in (("binary_little_endian", "<"), ("binary_big_endian", ">")):
+            body = b"".join(struct.pack(order + "ddfB", *corner, 255) for corner in CORNERS)
+            body += struct.pack(order + "B2h", 2, -5, 6)
+            faces = b"".join(struct.pack(order + "B3iB", 3, *triangle, 0) for triangle in SQUARE)
+            whole = self.ply(form, body + faces)
+            self.expect_square(abut.Shape.mesh(self.file("binary.ply", whole)))
+            quad = whole.replace(b"face 2", b"face 1")[:-len(faces)] + struct.pack(order + "B4iB", 4, 0, 1, 2, 3, 0)
+            self.expect_square(abut.Shape.mesh(self.file("quad.ply", quad)))
+            for length in range(len(whole) - len(body + faces), len(whole)):
+                with self.assertRaisesRegex(ValueError, "cut.ply ends within (vertex|material|face) [0-3] of [1-4]"):
+                    abut.Shape.mesh(self.file("cut.ply", whole[:length]))
+        self.assertEqual(abut.Shape.hull(self.file("text.ply", text)).kind, "hull")
+
+    def test_what_is_wrong_with_a_ply_is_said(self):
+        corners = "".join(f"{x} {y} {z} 255\n" for x, y, z in CORNERS)
+        good = self.ply("ascii", f"{corners}2 -5 6\n3 0 1 2 0\n3 0 2 3 0\n".encode())
+        for before, after, expected in [
+                (b"ply", b"plot", "is no PLY file: it has no header"), (b"end_header", b"", "is no PLY file: it has no header"),
+                (b"ascii", b"morse", "line 2: 'format morse 1.0' cannot be read"),
+                (b"format ascii 1.0\n", b"", "its header names no format"),
+                (b"double x", b"quad x", "line 5: 'property quad x' cannot be read"),
+                (b"double x", b"double u", "the element vertex has no property x; it has u, y, z, red"),
+                (b"vertex_indices", b"corners", "the element face has no property vertex_indices; it has corners, flags"),
+                (b"element vertex 4", b"element vertex four", "line 4: 'element vertex four' cannot be read"),
+                (b"1 0 0 255", b"1 0 255", "vertex 1 cannot be read from '1 0 255'"),
+                (b"3 0 1 2 0", b"5 0 1 2 0", "face 0 cannot be read from '5 0 1 2 0'"),
+                (b"3 0 2 3 0\n", b"", "face 1 cannot be read from ''"),
+                (b"3 0 1 2 0", b"3 0 1 -2 0", "triangles has the number -2")]:
+            self.assertEqual(good.count(before) > 0, True, before)
+            with self.subTest(expected), self.assertRaisesRegex(ValueError, expected):
+                abut.Shape.mesh(self.file("wrong.ply", good.replace(before, after, 1)))
+        with self.assertRaisesRegex(abut.Error, "ABUT_INDEX_OUT_OF_RANGE"):
+            abut.Shape.mesh(self.file("far.ply", good.replace(b"3 0 1 2", b"3 0 1 9")))
+
     def test_formats_of_others_name_what_reads_them(self):
-        path = self.file("square.ply", "ply\n")
+        path = self.file("square.off", "OFF\n")
         with unittest.mock.patch("importlib.util.find_spec", lambda name: None):
-            with self.assertRaisesRegex(ValueError, "obj and .stl are read by abut; .ply needs trimesh or meshio"):
+            with self.assertRaisesRegex(ValueError, "obj, .ply and .stl are read by abut; .off needs trimesh or meshio"):
                 abut.Shape.mesh(path)
 
     def test_formats_of_others_are_read_by_what_is_installed(self):
         mesh = types.SimpleNamespace(points=CORNERS, cells_dict={"triangle": SQUARE, "line": [(0, 1)]})
         meshio = types.SimpleNamespace(read=lambda path: mesh)
         trimesh = types.SimpleNamespace(load=lambda path, force: types.SimpleNamespace(vertices=CORNERS, faces=SQUARE))
-        path = self.file("square.ply", "ply\n")
+        path = self.file("square.off", "ply\n")
         for name, module in (("meshio", meshio), ("trimesh", trimesh)):
             with unittest.mock.patch("importlib.util.find_spec", lambda asked: asked == name), \
                     unittest.mock.patch.dict("sys.modules", {name: module}):
@@ -98,11 +143,11 @@ class Meshes(unittest.TestCase):
         mesh.cells_dict["quad"] = [(0, 1, 2, 3)]
         with unittest.mock.patch("importlib.util.find_spec", lambda asked: asked == "meshio"), \
                 unittest.mock.patch.dict("sys.modules", {"meshio": meshio}):
-            with self.assertRaisesRegex(ValueError, "square.ply has cells of the kinds quad, triangle; they must be triangles"):
+            with self.assertRaisesRegex(ValueError, "square.off has cells of the kinds quad, triangle; they must be triangles"):
                 abut.Shape.mesh(path)
 
     def test_a_file_that_is_missing(self):
-        for name in ("none.obj", "none.ply"):
+        for name in ("none.obj", "none.ply", "none.off"):
             with self.assertRaises(FileNotFoundError):
                 abut.Shape.mesh(self.folder / name)
 
