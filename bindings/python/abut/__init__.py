@@ -10,13 +10,17 @@ many are Records, whose fields are columns. NumPy is needed for arrays only. doc
 """
 
 import ctypes
+from typing import Callable
 
 from . import c as c
 from . import given
+from .bodies import *
 from .c import *
 from .c import library
+from .contact_problem import *
 from .deforming import *
 from .elements import *
+from .gradient import *
 from .impact import *
 from .lending import *
 from .pairs import *
@@ -39,6 +43,18 @@ def memory_in_use() -> "tuple[int, int]":
     size, blocks = ctypes.c_uint64(), ctypes.c_uint64()
     library.abut_memory_in_use(ctypes.byref(size), ctypes.byref(blocks))
     return size.value, blocks.value
+
+
+_logs: list = []  # another thread may still be in one that was replaced
+
+
+def set_log(log: "Callable[[int, str], object] | None", most: int = LOG_WARNING) -> None:
+    """log(level, message) is called for each failure in this process, on the thread of the call; None for no log."""
+    def tell(_, level, message):
+        log(level, message.decode("utf-8", "replace"))
+
+    _logs.append(c.Log(tell if log else 0))
+    library.abut_set_log(_logs[-1], None, most)
 
 
 def has_feature(name: str) -> bool:

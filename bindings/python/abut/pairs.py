@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import array
 from ctypes import byref, c_uint32
 from typing import Any
 
@@ -112,8 +113,8 @@ def pair_overlaps(a: Shape, pose_a: Any, b: Shape, pose_b: Any, **fields: Any) -
     return out.value == 1
 
 
-def pairs_overlap(a: Any, poses_a: Any, b: Any, poses_b: Any, progress: Progress = None, **fields: Any) -> memoryview:
-    """Whether shapes overlap, pair by pair: a memoryview of numbers that are 1 or 0, which NumPy takes as an array.
+def pairs_overlap(a: Any, poses_a: Any, b: Any, poses_b: Any, progress: Progress = None, **fields: Any) -> array.array:
+    """Whether shapes overlap, pair by pair: numbers that are 1 or 0, which NumPy takes without a copy.
 
     One shape or one pose serves for all of the others. Poses are as in pairs_distance. The fields are those of
     QueryOptions.
@@ -121,11 +122,13 @@ def pairs_overlap(a: Any, poses_a: Any, b: Any, poses_b: Any, progress: Progress
     belonging = (given.shape_pointers("a", a), given.structs(c.Pose, "poses_a", poses_a),
                  given.shape_pointers("b", b), given.structs(c.Pose, "poses_b", poses_b))
     count, query = given.together(*belonging), options.query(fields)
-    found = (c_uint32 * count)()
+    found = array.array("I", bytes(4 * count))
+    answered = (c_uint32 * count).from_buffer(found) if count else (c_uint32 * 0)()
     for start, length in chunks(count, progress):
         shapes_a, places_a, shapes_b, places_b = (part_of(each.memory, start, length) for each in belonging)
-        library.abut_pairs_overlap(shapes_a, places_a, shapes_b, places_b, length, query, part_of(found, start, length))
-    return memoryview(found).cast("B").cast("I")
+        library.abut_pairs_overlap(shapes_a, places_a, shapes_b, places_b, length, query,
+                                   part_of(answered, start, length))
+    return found
 
 
 def validate_contact(contact: c.Contact) -> None:

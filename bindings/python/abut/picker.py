@@ -14,7 +14,7 @@ from .records import Records
 from .universe import Universe
 from .values import given_rays
 
-__all__ = ["Picker", "camera"]
+__all__ = ["Picker", "camera", "camera_ray"]
 
 
 def _expect_picking():
@@ -34,6 +34,14 @@ def camera(eye: Any = None, target: Any = None, up: Any = (0.0, 0.0, 1.0), **fie
     return out
 
 
+def camera_ray(through: c.Camera, x: float, y: float) -> c.Ray:
+    """The ray through a point of the picture, in pixels from its upper left corner."""
+    _expect_picking()
+    out = c.Ray()
+    picking.abut_camera_ray(byref(through), *given.reals(x=x, y=y), byref(out))
+    return out
+
+
 class Picker(Owner):
     """Rays against a universe, which it keeps alive. The keywords are the fields of QueryFilter."""
 
@@ -43,7 +51,7 @@ class Picker(Owner):
         universe._read(picking.abut_picker_create, byref(out))
         self._universe = universe
         super().__init__(out)
-        universe._pickers.add(self)
+        universe._attached.add(self)
 
     def _ask(self, function, *arguments):
         """A call that reads the universe."""

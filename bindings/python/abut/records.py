@@ -183,5 +183,12 @@ class Groups:
     def __iter__(self) -> Iterator[Records]:
         return (self[index] for index in range(len(self)))
 
+    def __reduce__(self) -> Any:
+        return _regrouped, (bytes(self.offsets), self.records)
+
     def __repr__(self) -> str:
         return f"<{len(self)} groups of {self.records.kind.__name__}, {len(self.records)} in all>"
+
+
+def _regrouped(offsets, records):
+    return Groups(_restored(ctypes.c_uint64, offsets).memory, records)

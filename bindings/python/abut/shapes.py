@@ -3,15 +3,18 @@
 
 from __future__ import annotations
 
+import functools
 from ctypes import byref, c_double, c_size_t, c_uint32, c_void_p
-from typing import Any
+from typing import Any, Callable, TypeVar
 
 from . import answers, c, given, meshes, options
 from .c import library
 from .owner import Owner
 from .values import pose
 
-__all__ = ["Shape", "pair_support", "shape_kinds"]
+__all__ = ["Shape", "pair_support", "shape_kinds", "shape_parameters"]
+
+Made = TypeVar("Made", bound=Callable[..., Any])
 
 _SIDES = {"both": c.SIDES_BOTH, "front": c.SIDES_FRONT, "solid": c.SIDES_SOLID}
 
@@ -48,6 +51,28 @@ def _sides_named(name: str) -> int:
     return _SIDES[name]
 
 
+def _instead_of(**arguments: str) -> Callable[[Made], Made]:
+    """Refuses arguments that other libraries take, and names the one to give."""
+    def wrap(function):
+        @functools.wraps(function)
+        def checked(*args, **given_by_name):
+            for name in arguments.keys() & given_by_name.keys():
+                raise TypeError(f"{function.__name__} has no argument {name}; give {arguments[name]}")
+            return function(*args, **given_by_name)
+        return checked
+    return wrap
+
+
+_HALF_HEIGHT = "half_height, which is half of it"
+_along_z = _instead_of(height=_HALF_HEIGHT, length=_HALF_HEIGHT, lz=_HALF_HEIGHT, h=_HALF_HEIGHT,
+                       half_length="half_height", diameter="radius, which is half of it")
+_HALF_EXTENTS = "half_x, half_y and half_z, which are half of it"
+_with_sides = _instead_of(size=_HALF_EXTENTS, extents=_HALF_EXTENTS, side=_HALF_EXTENTS, sides=_HALF_EXTENTS,
+                          width=_HALF_EXTENTS, height=_HALF_EXTENTS, depth=_HALF_EXTENTS,
+                          half_extents="half_x, half_y and half_z one by one")
+_as_ball = _instead_of(diameter="radius, which is half of it")
+
+
 class Shape(Owner):
     """A shape: immutable, shared, independent of any universe. docs/shapes.md tells the kinds and their frames."""
 
@@ -61,26 +86,31 @@ class Shape(Owner):
         return cls(out)
 
     @classmethod
+    @_as_ball
     def sphere(cls, radius: float) -> Shape:
         """A solid ball."""
         return cls._made_by(library.abut_sphere_create, *given.reals(radius=radius))
 
     @classmethod
+    @_with_sides
     def box(cls, half_x: float, half_y: float, half_z: float) -> Shape:
         """A solid box, centred, from its half extents."""
         return cls._made_by(library.abut_box_create, *given.reals(half_x=half_x, half_y=half_y, half_z=half_z))
 
     @classmethod
+    @_along_z
     def capsule(cls, radius: float, half_height: float) -> Shape:
         """All points within the radius of a segment along Z from -half_height to half_height."""
         return cls._made_by(library.abut_capsule_create, *given.reals(radius=radius, half_height=half_height))
 
     @classmethod
+    @_along_z
     def cylinder(cls, radius: float, half_height: float) -> Shape:
         """A solid cylinder along Z, centred."""
         return cls._made_by(library.abut_cylinder_create, *given.reals(radius=radius, half_height=half_height))
 
     @classmethod
+    @_along_z
     def cone(cls, radius: float, half_height: float) -> Shape:
         """A solid cone along Z: its base at -half_height, its apex at half_height."""
         return cls.of_kind("cone", given.reals(radius=radius, half_height=half_height))
@@ -96,8 +126,9 @@ class Shape(Owner):
         return cls.of_kind("point")
 
     @classmethod
+    @_instead_of(length="half_length, which is half of it", height="half_length, which is half of it")
     def segment(cls, half_length: float) -> Shape:
-        """A segment along Z, centred."""
+        """A segment along Z from -half_length to half_length."""
         return cls.of_kind("segment", given.reals(half_length=half_length))
 
     @classmethod
@@ -120,7 +151,7 @@ class Shape(Owner):
     def mesh(cls, xyz: Any, triangles: Any = None, **fields: Any) -> Shape:
         """A triangle mesh from vertices and triangles, each (N, 3) or flat.
 
-        Without triangles `xyz` is the name of an OBJ or STL file. Or it is an object that has `vertices` and `faces`,
+        Without triangles `xyz` is the name of an OBJ, PLY or STL file. Or it is an object that has `vertices` and `faces`,
         such as a mesh of trimesh. The fields are those of MeshOptions; sides may be "both", "front" or "solid". Rows
         of four are quads. Where merge_distance is given, vertices within it are merged.
         """
@@ -217,16 +248,19 @@ class Shape(Owner):
         return cls.of_kind("particles", (0,), balls)
 
     @classmethod
+    @_as_ball
     def sphere_hole(cls, radius: float) -> Shape:
         """A cavity of the shape of a ball, centred. Holes are children of composites, whose solids they cut."""
         return cls.of_kind("sphere_hole", given.reals(radius=radius))
 
     @classmethod
+    @_along_z
     def cylinder_hole(cls, radius: float, half_height: float, open_ends: int = 0) -> Shape:
         """A cavity along Z; OPEN_TOP and OPEN_BOTTOM are ends without a wall."""
         return cls.of_kind("cylinder_hole", given.reals(radius=radius, half_height=half_height, open_ends=open_ends))
 
     @classmethod
+    @_with_sides
     def box_hole(cls, half_x: float, half_y: float, half_z: float, open_faces: int = 0) -> Shape:
         """A cavity of the shape of a box; OPEN_X_HIGH and the like are faces without a wall, all of one axis."""
         return cls.of_kind("box_hole", given.reals(half_x=half_x, half_y=half_y, half_z=half_z, open_faces=open_faces))
@@ -263,9 +297,8 @@ class Shape(Owner):
     @property
     def parameters(self) -> dict[str, float]:
         """Parameters by name."""
-        kind = library.abut_shape_kind_of(self.pointer)
         values = answers.filled(c_double, lambda *rest: library.abut_shape_parameters(self.pointer, *rest))
-        return {library.abut_shape_kind_parameter_name(kind, i).decode(): value for i, value in enumerate(values)}
+        return dict(zip(_parameters_of(library.abut_shape_kind_of(self.pointer), len(values)), values))
 
     def distance_field_report(self) -> c.DistanceFieldReport:
         """How far values of a distance field may be off, and how much of it holds samples."""
@@ -287,8 +320,7 @@ class Shape(Owner):
 
     def triangles(self) -> tuple[Any, Any]:
         """Vertices and indices of the surface, flat. numpy.reshape(vertices, (-1, 3)) makes rows of them."""
-        vertices, triangles = c_size_t(), c_size_t()
-        library.abut_shape_triangles(self.pointer, None, 0, byref(vertices), None, 0, byref(triangles))
+        vertices, triangles = self._surface_counts()
         xyz, indices = (c_double * (3 * vertices.value))(), (c_uint32 * (3 * triangles.value))()
         library.abut_shape_triangles(self.pointer, xyz, vertices, byref(vertices), indices, triangles, byref(triangles))
         return xyz, indices
@@ -319,7 +351,23 @@ class Shape(Owner):
     def __repr__(self) -> str:
         if not self._pointer:
             return "<Shape, closed>"
-        return f"<Shape {' '.join([self.kind, *(f'{name}={value:g}' for name, value in self.parameters.items())])}>"
+        numbers = {**self.parameters, **self._counts()}
+        return f"<Shape {' '.join([self.kind, *(f'{name}={value:g}' for name, value in numbers.items())])}>"
+
+    def _counts(self):
+        """How large it is, where its parameters do not tell."""
+        if self.kind == "hull":
+            report = self.hull_report()
+            return {"vertices": report.vertex_count, "faces": report.face_count}
+        if self.kind not in ("mesh", "uv_grid"):
+            return {}
+        vertices, triangles = self._surface_counts()
+        return {"vertices": vertices.value, "triangles": triangles.value}
+
+    def _surface_counts(self):
+        vertices, triangles = c_size_t(), c_size_t()
+        library.abut_shape_triangles(self.pointer, None, 0, byref(vertices), None, 0, byref(triangles))
+        return vertices, triangles
 
 
 # Only universes have bytes, so a shape travels as the one geometry of a universe.
@@ -334,7 +382,10 @@ def _bytes_of(shape):
 def _unpickled(cls, data):
     from .universe import Universe
     with Universe.load(data) as carrier:
-        found = carrier.shape_of(carrier.geometries()[0])
+        geometries = carrier.geometries()
+        if len(geometries) != 1:
+            raise ValueError(f"the bytes are a universe of {len(geometries)} geometries; they must be those of a Shape")
+        found = carrier.shape_of(geometries[0])
     pointer, found._pointer = found._pointer, None
     return cls(pointer)
 
@@ -351,6 +402,16 @@ def shape_kinds() -> list[str]:
     """Names of the kinds of shape that the library contains."""
     return [library.abut_shape_kind_name(library.abut_shape_kind_at(i)).decode()
             for i in range(library.abut_shape_kind_count())]
+
+
+def _parameters_of(kind, count):
+    return [library.abut_shape_kind_parameter_name(kind, i).decode() for i in range(count)]
+
+
+def shape_parameters(kind: str) -> list[str]:
+    """Names of the parameters of a kind of shape, in the order in which Shape.of_kind takes them."""
+    number = _kind_of("kind", kind)
+    return _parameters_of(number, library.abut_shape_kind_parameter_count(number))
 
 
 def pair_support(kind_a: str, kind_b: str, query: int = c.QUERY_CONTACTS) -> bool:

@@ -86,6 +86,32 @@ class Copies(unittest.TestCase):
         with multiprocessing.get_context("spawn").Pool(2) as pool:
             self.assertEqual(pool.map(width_of, [abut.Shape.box(1, 2, 3), abut.Shape.sphere(3)]), [2, 6])
 
+    def test_other_bytes_are_refused(self):
+        with abut.Universe() as empty:
+            made, (kind, data) = abut.Shape.sphere(1).__reduce_ex__(2)
+            with self.assertRaisesRegex(ValueError, "a universe of 0 geometries; they must be those of a Shape"):
+                made(kind, empty.save())
+        for wrong, why in ((b"", "bytes"), (b"another thing", "bytes"), (data[:-1], "bytes"),
+                           (data[:60] + bytes([data[60] ^ 1]) + data[61:], "bytes")):
+            for load in (lambda: made(kind, wrong), lambda: abut.Universe.load(wrong)):
+                with self.subTest(len(wrong)), self.assertRaisesRegex(abut.Error, why):
+                    load()
+
+    def test_inputs_and_answers(self):
+        ball, there = abut.Shape.sphere(1), abut.poses([(3, 0, 0), (1, 0, 0)])
+        found = abut.pairs_distance(ball, abut.pose(), ball, there)
+        asked = [abut.pose(1, 2, 3), abut.ray((0, 0, 0), (1, 0, 0)), abut.movement((1, 2, 3)), there, found, found[0],
+                 abut.PairMemory(), c.QueryOptions(1, 2), c.QueryFilter(3), c.GeometryId(4, 5),
+                 abut.pair_time_of_impact(ball, abut.pose(), abut.movement(), ball, there[0], abut.movement((-5, 0, 0)))]
+        for before, after in zip(asked, pickle.loads(pickle.dumps(asked))):
+            self.assertIs(type(after), type(before))
+            memory = (before.memory, after.memory) if hasattr(before, "memory") else (before, after)
+            self.assertEqual(bytes(memory[0]), bytes(memory[1]))
+        overlap = abut.pairs_overlap(ball, abut.pose(), ball, there)
+        self.assertEqual(pickle.loads(pickle.dumps(overlap)), overlap)
+        contacts = pickle.loads(pickle.dumps(abut.pairs_contacts(ball, abut.pose(), ball, there)))
+        self.assertEqual([len(group) for group in contacts], [0, 1])
+
     def test_universes(self):
         with abut.Universe() as universe, abut.Shape.sphere(1) as ball:
             parts = [universe.add_part(pose=abut.pose(x=1.5 * i), user_data=i) for i in range(3)]

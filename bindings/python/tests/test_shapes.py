@@ -154,8 +154,45 @@ class Queries(unittest.TestCase):
             abut.Shape.particles([(0, 0, 0), (5, 0, 0)], [1])
         self.assertEqual(list(triangle.parameters.values()), [0, 0, 0, 1, 0, 0, 0, 1, 0])
         self.assertEqual(repr(capsule), "<Shape capsule radius=0.5 half_height=2>")
+        self.assertEqual(repr(mesh), "<Shape mesh sides=1 vertices=4 triangles=2>")
+        self.assertEqual(repr(abut.Shape.hull(points)), "<Shape hull vertices=4 faces=2>")
         self.assertFalse(abut.pair_support("plane", "plane"))
         self.assertTrue(abut.pair_support("plane", "box", abut.QUERY_DISTANCE))
+
+    def test_failures_are_logged(self):
+        told = []
+        abut.set_log(lambda level, message: told.append((level, message)))
+        with self.assertRaises(abut.Error):
+            abut.Shape.sphere(-1)
+        abut.set_log(None)
+        with self.assertRaises(abut.Error):
+            abut.Shape.sphere(-2)
+        (level, message), = told
+        self.assertEqual(level, abut.LOG_WARNING)
+        self.assertIn("radius is -1", message)
+
+    def test_parameters_of_kinds(self):
+        self.assertEqual(abut.shape_parameters("capsule"), ["radius", "half_height"])
+        self.assertEqual(abut.shape_parameters("point"), [])
+
+    def test_arguments_of_other_libraries_are_named(self):
+        for expected, call in {
+            "cylinder has no argument height; give half_height, which is half of it":
+                lambda: abut.Shape.cylinder(radius=1, height=2),
+            "capsule has no argument length; give half_height": lambda: abut.Shape.capsule(1, length=2),
+            "cone has no argument lz; give half_height": lambda: abut.Shape.cone(1, lz=2),
+            "box has no argument extents; give half_x, half_y and half_z, which are half of it":
+                lambda: abut.Shape.box(extents=(1, 2, 3)),
+            "box has no argument half_extents; give half_x, half_y and half_z one by one":
+                lambda: abut.Shape.box(half_extents=(1, 2, 3)),
+            "sphere has no argument diameter; give radius, which is half of it": lambda: abut.Shape.sphere(diameter=1),
+            "segment has no argument length; give half_length, which is half of it":
+                lambda: abut.Shape.segment(length=1),
+            "unexpected keyword argument 'colour'": lambda: abut.Shape.sphere(1, colour=2),
+        }.items():
+            with self.subTest(expected), self.assertRaisesRegex(TypeError, expected):
+                call()
+        self.assertEqual(abut.Shape.box.__name__, "box")
 
     def test_errors(self):
         closed = abut.Shape.sphere(1)

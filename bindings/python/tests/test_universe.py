@@ -224,6 +224,21 @@ class Universes(unittest.TestCase):
         self.assertEqual(self.universe.stats().examined_pairs, 1)
         self.assertIsInstance(self.universe.explain_json(), dict)
 
+    def test_what_has_changed(self):
+        with abut.Universe() as universe, abut.Shape.sphere(1) as ball:
+            parts = [universe.add_part() for _ in range(3)]
+            geometries = [universe.add_geometry(part, ball) for part in parts]
+            since = universe.revision()
+            self.assertEqual(list(universe.changes(since)), [])
+            universe.set_pose(parts[1], abut.pose(5, 0, 0))
+            self.assertEqual(list(universe.changes(since)), [geometries[1]])
+            universe.destroy_geometries([geometries[0]])
+            gone, moved = universe.changes(since)
+            self.assertEqual((gone.slot, gone.generation, moved), (geometries[0].slot, 0, geometries[1]))
+            for x in range(600):
+                universe.change(geometries[2], label=x)
+            self.assertIsNone(universe.changes(since))
+
 
 @unittest.skipIf(c.picking is None, "libabut_picking is not installed")
 class Picking(unittest.TestCase):
@@ -238,6 +253,8 @@ class Picking(unittest.TestCase):
                 self.assertEqual(hit.child, 0)
                 self.assertEqual(picker.cast_ray(abut.ray((-5, 0, 0), (1, 0, 0)), mask=2).geometry.slot, 0)
                 view = abut.camera(eye=(-5, 0, 0), target=(0, 0, 0), width=16, height=8)
+                along = abut.camera_ray(view, 8, 4)
+                self.assertEqual(picker.cast_ray(along).geometry.slot, geometry.slot)
                 self.assertEqual(picker.pick_pixel(view, 8, 4).geometry.slot, geometry.slot)
                 picture = picker.render(view)
                 self.assertEqual(len(picture), 128)

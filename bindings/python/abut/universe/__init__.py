@@ -30,7 +30,7 @@ class Universe(Parts, Geometries, Detection, Queries):
         self._begin(out)
 
     def _begin(self, pointer):
-        self._pickers: weakref.WeakSet = weakref.WeakSet()
+        self._attached: weakref.WeakSet = weakref.WeakSet()
         super().__init__(pointer)
 
     @classmethod
@@ -56,9 +56,9 @@ class Universe(Parts, Geometries, Detection, Queries):
         return type(self).load, (self.save(),)
 
     def close(self) -> None:
-        """Destroys it with everything in it, and closes its pickers before."""
-        for picker in list(self._pickers):
-            picker.close()
+        """Destroys it with everything in it, and closes its pickers and responses before."""
+        for guest in list(self._attached):
+            guest.close()
         super().close()
 
     def _release(self, pointer):

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import ctypes
 import json
-from ctypes import POINTER, byref, c_size_t, c_uint64
+from ctypes import POINTER, byref, c_size_t, c_uint32, c_uint64
 from typing import Any
 
 from .. import answers, c, given, options
@@ -60,7 +60,7 @@ class Detection(Filters):
         out = []
 
         def copy(pointer):
-            address, count = _place_of(pointer, kind, lend)
+            address, count = place_of(pointer, kind, lend)
             memory = (kind * count)()
             ctypes.memmove(memory, address, ctypes.sizeof(memory))
             out.append(Records(memory))
@@ -70,7 +70,7 @@ class Detection(Filters):
 
     def _borrow(self, kind, lend):
         out = []
-        self._read(lambda pointer: out.append(Borrowed(self, kind, *_place_of(pointer, kind, lend), self.change_count)))
+        self._read(lambda pointer: out.append(Borrowed(self, kind, *place_of(pointer, kind, lend), self.change_count)))
         return out[0]
 
     def contacts(self) -> Records:
@@ -140,6 +140,16 @@ class Detection(Filters):
         self._read(library.abut_universe_revision, byref(out))
         return out
 
+    def changes(self, since: c.Revision) -> Records | None:
+        """Geometries that have changed since a revision; the generation of those that have gone is 0.
+
+        None where more has changed than the universe remembers: all of them may have.
+        """
+        is_known = c_uint32()
+        found = answers.filled(c.GeometryId, lambda values, room, count: self._read(
+            library.abut_universe_changes, byref(since), values, room, count, byref(is_known)))
+        return Records(found) if is_known.value else None
+
     def stats(self) -> c.StepStats:
         """Counts and times of the last step."""
         out = options.filled(c.StepStats, library.abut_step_stats_init, {})
@@ -160,7 +170,7 @@ class Detection(Filters):
         return json.loads(answers.text(lambda *rest: self._read(library.abut_universe_explain_json, *rest)))
 
 
-def _place_of(pointer, kind, lend):
+def place_of(pointer, kind, lend):
     """Address and count of what the library lends."""
     first, count = POINTER(kind)(), c_size_t()
     lend(pointer, byref(first), byref(count))
