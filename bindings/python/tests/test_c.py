@@ -8,6 +8,8 @@ import ctypes
 import os
 import pathlib
 import re
+import subprocess
+import sys
 import unittest
 
 import abut
@@ -49,6 +51,21 @@ class Layout(unittest.TestCase):
             text = (HEADERS / "abut" / header).read_text()
             for name, value in re.findall(r"^  ABUT_(\w+) = (\d+)", text, re.MULTILINE):
                 self.assertEqual(getattr(c, name), int(value), name)
+
+
+@unittest.skipUnless(c.picking and c.response, "no libraries for picking and response")
+class Libraries(unittest.TestCase):
+    def test_the_others_are_found_beside_the_first(self):
+        named = pathlib.Path(c.library._name)
+        files = {pathlib.Path(each._name).parent for each in (c.picking, c.response)}
+        if os.sep not in str(named) or files != {named.parent}:
+            self.skipTest("they do not lie side by side")
+        environment = {name: value for name, value in os.environ.items() if not name.startswith("ABUT_")}
+        environment["ABUT_LIBRARY"] = str(named)
+        check = "import abut; print(abut.c.picking._name, abut.c.response._name, abut.version())"
+        done = subprocess.run([sys.executable, "-B", "-c", check], env=environment, capture_output=True, text=True)
+        picking, response, _ = done.stdout.split()
+        self.assertEqual({pathlib.Path(picking).parent, pathlib.Path(response).parent}, {named.parent}, done.stderr)
 
 
 class Version(unittest.TestCase):

@@ -176,7 +176,8 @@ class Readme(unittest.TestCase):
         self.assertGreater(fcl.collide(box, cone, fcl.CollisionRequest(), result), 0)
         self.assertTrue(result.is_collision)
         result = fcl.DistanceResult()
-        self.assertLess(fcl.distance(box, cone, fcl.DistanceRequest(), result), 0)
+        self.assertEqual(fcl.distance(box, cone, fcl.DistanceRequest(), result), -1)
+        self.assertEqual(result.min_distance, -1)
         self.assertIs(result.o1, box.geometry)
 
     def test_continuous(self):

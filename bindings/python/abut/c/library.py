@@ -3,8 +3,9 @@
 
 A function that answers a status other than ABUT_OK raises Error. Calls release the interpreter's lock while they run.
 
-ABUT_LIBRARY, ABUT_PICKING_LIBRARY and ABUT_RESPONSE_LIBRARY may name their files. Else they are those that a wheel carries, in this package,
-and else those that the loader finds.
+ABUT_LIBRARY, ABUT_PICKING_LIBRARY and ABUT_RESPONSE_LIBRARY may name their files. The other two are looked for beside
+that of ABUT_LIBRARY as well. Else they are those that a wheel carries, in this package, and else those that the loader
+finds.
 """
 
 from __future__ import annotations
@@ -78,9 +79,10 @@ def _declare(loaded, functions):
 
 
 def _load(name, variable):
-    file = f"{name}.so.{ABI}"
-    carried = CARRIED / file
-    return ctypes.CDLL(os.environ.get(variable) or (str(carried) if carried.exists() else file))
+    file, named = f"{name}.so.{ABI}", os.environ.get("ABUT_LIBRARY", "")
+    folders = [pathlib.Path(named).parent] * (os.sep in named) + [CARRIED]
+    there = [str(folder / file) for folder in folders if (folder / file).exists()]
+    return ctypes.CDLL(os.environ.get(variable) or [*there, file][0])
 
 
 def _load_library():

@@ -107,7 +107,7 @@ class ContinuousCollisionResult:
 
 
 class DistanceRequest:
-    """Distances are always signed, and always come with their points; b1 and b2 only with enable_nearest_points."""
+    """Distances always come with their points, and with b1 and b2 only with enable_nearest_points."""
 
     def __init__(self, enable_nearest_points: bool = False, enable_signed_distance: bool = False,
                  gjk_solver_type: int = GJKSolverType.GST_LIBCCD) -> None:

@@ -61,19 +61,23 @@ def _contact(o1, o2, found):
 
 
 def distance(o1: CollisionObject, o2: CollisionObject, request: Any = None, result: Any = None) -> float:
-    """The signed distance of two objects; `result` gets it where it is less than what stands there."""
+    """The distance of two objects; `result` gets it where it is less than what stands there.
+
+    Where they overlap it is minus their depth with enable_signed_distance, and -1 without.
+    """
     request = DistanceRequest() if request is None else request
     result = DistanceResult() if result is None else result
     a, b = _shapes_of(o1, o2)
     found = pair_distance(a, o1.pose, b, o2.pose)
-    if found.distance < result.min_distance:
-        result.min_distance = found.distance
+    apart = found.distance if found.distance >= 0 or request.enable_signed_distance else -1.0
+    if apart < result.min_distance:
+        result.min_distance = apart
         result.nearest_points = [numpy.array([*found.point_a]), numpy.array([*found.point_b])]
         result.o1, result.o2 = o1.geometry, o2.geometry
         result.b1 = result.b2 = -1
         if request.enable_nearest_points and BVHModel in (type(o1.geometry), type(o2.geometry)):
             result.b1, result.b2 = _nearest_triangles(o1, a, o2, b, found.distance)
-    return found.distance
+    return apart
 
 
 def _nearest_triangles(o1, a, o2, b, apart):
