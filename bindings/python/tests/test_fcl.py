@@ -82,12 +82,28 @@ class Conventions(unittest.TestCase):
         box = fcl.Box(1, 1, 1)
         self.assertEqual(len(contacts(at(box), at(box, z=0.9))), 4)
         self.assertEqual(len(contacts(at(box), at(box, z=0.9), most=2)), 2)
+        self.assertEqual(len(contacts(at(box), at(box, z=0.9), most=math.inf)), 4)
         self.assertEqual(len(contacts(at(box), at(box, z=1.1))), 0)
         result = fcl.CollisionResult()
         self.assertEqual(fcl.collide(at(box), at(box, z=0.9), result=result), 1)
         self.assertEqual(fcl.collide(at(box), at(box, z=5), result=result), 0)
         self.assertTrue(result.is_collision)
         self.assertEqual(len(result.contacts), 1)
+
+    def test_models_are_built_in_steps(self):
+        model = fcl.BVHModel()
+        states = [model.buildState()]
+        model.beginModel()
+        states.append(model.buildState())
+        for triangle in FACES:
+            model.addTriangle(*TETRAHEDRON[triangle])
+        model.endModel()
+        self.assertEqual([*states, model.buildState(), model.num_tries_()], [0, 1, 2, 4])
+        self.assertAlmostEqual(distance(at(model), at(fcl.Sphere(1), z=3)).min_distance, 1)
+        empty = fcl.BVHModel()
+        empty.beginModel()
+        with self.assertRaisesRegex(ValueError, "it has no triangles"):
+            empty.endModel()
 
     def test_triangles_are_told(self):
         ball = fcl.Sphere(0.25)
@@ -344,6 +360,20 @@ class Managers(unittest.TestCase):
         asked = at(fcl.Sphere(0.5), *random.uniform(-9, 9, 3))
         self.assertEqual(nearest(manager, asked).min_distance, min(distance(a, asked).min_distance for a in things),
                          f"seed {seed}")
+
+
+    def test_random_balls_as_all_pairs_say(self):
+        seed = int.from_bytes(numpy.random.bytes(4), "little")
+        random = numpy.random.default_rng(seed)
+        sizes, places = random.uniform(1e-4, 1e-3, 60), random.uniform(-6, 6, (60, 3))
+        things = [at(fcl.Sphere(size), *place) for size, place in zip(sizes, places)]
+        gaps = numpy.linalg.norm(places[:, None] - places, axis=2) - sizes[:, None] - sizes
+        gaps[numpy.diag_indices(60)] = numpy.inf
+        message = f"seed {seed}"
+        self.assertAlmostEqual(nearest(managed(*things)).min_distance, gaps.min(), places=12, msg=message)
+        first, second = managed(*things[:40]), managed(*things[40:])
+        self.assertAlmostEqual(nearest(first, second).min_distance, gaps[:40, 40:].min(), places=12, msg=message)
+        self.assertAlmostEqual(nearest(first, things[50]).min_distance, gaps[:40, 50].min(), places=12, msg=message)
 
 
 class AsTrimeshDoes(unittest.TestCase):

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Many objects: callbacks for those whose boxes overlap, or may be nearer than what was found.
 
-Boxes are rows of two arrays, compared with those of all other objects at once.
+Boxes are rows of arrays: one box is compared with many others at once.
 """
 
 from __future__ import annotations
@@ -83,22 +83,38 @@ class DynamicAABBTreeCollisionManager:
         callback(o1, o2, data) is called for objects whose boxes overlap, until it returns True. o1 is in this manager.
         """
         asked, data, callback = _arguments(args)
+        for o1, o2 in self._near_each_other() if asked is None else self._near(asked):
+            if _is_bounded(o1, o2) and callback(o1, o2, data):
+                return
+
+    def _near(self, asked) -> Iterator[Any]:
+        """Each object of this manager with each of those asked about that overlaps its box."""
         for o2, (low, high), (lows, highs) in self._asked(asked):
             for row in numpy.flatnonzero(((lows <= high) & (highs >= low)).all(axis=1)):
-                if _is_bounded(self._objects[row], o2) and callback(self._objects[row], o2, data):
-                    return
+                yield self._objects[row], o2
+
+    def _near_each_other(self) -> Iterator[Any]:
+        """Sweeps along X: of boxes in the order of their lower ends, those before the upper end of one are candidates."""
+        order = numpy.argsort(self.boxes[0, :, 0], kind="stable")
+        lows, highs = self.boxes[:, order]
+        for first, end in enumerate(numpy.searchsorted(lows[:, 0], highs[:, 0], side="right")):
+            later = slice(first + 1, end)
+            is_near = (lows[later] <= highs[first]) & (highs[later] >= lows[first])
+            for row in order[later][is_near.all(axis=1)]:
+                yield self._objects[min(row, order[first])], self._objects[max(row, order[first])]
 
     def distance(self, *args: Any) -> None:
         """distance(data, callback), distance(object, data, callback) or distance(manager, data, callback).
 
-        callback(o1, o2, data) returns whether to end, and the distance from which on no pair is of interest. Pairs
-        whose boxes are nearer come first.
+        callback(o1, o2, data) returns whether to end, and the distance from which on no pair is of interest. Of the pairs
+        of an object those whose boxes are nearer come first.
         """
         asked, data, callback = _arguments(args)
         limit = math.inf
         for o2, (low, high), (lows, highs) in self._asked(asked):
             gaps = numpy.linalg.norm(numpy.maximum(numpy.maximum(lows - high, low - highs), 0), axis=1)
-            for row in numpy.argsort(gaps, kind="stable"):
+            rows = numpy.flatnonzero(gaps < limit)
+            for row in rows[numpy.argsort(gaps[rows], kind="stable")]:
                 if gaps[row] >= limit:
                     break
                 if _is_bounded(self._objects[row], o2):

@@ -40,8 +40,9 @@ def collide(o1: CollisionObject, o2: CollisionObject, request: Any = None, resul
     result = CollisionResult() if result is None else result
     a, b = _shapes_of(o1, o2)
     if request.enable_contact:
+        most = int(min(max(request.num_max_contacts, 1), 2**32 - 1))
         found = [_contact(o1, o2, each) for each in pair_contacts(
-            a, o1.pose, b, o2.pose, max_contacts=0, max_pair_contacts=max(int(request.num_max_contacts), 1))]
+            a, o1.pose, b, o2.pose, max_contacts=0, max_pair_contacts=most)]
     else:
         found = [_contact(o1, o2, None)] if pair_overlaps(a, o1.pose, b, o2.pose) else []
     result.is_collision = result.is_collision or bool(found)

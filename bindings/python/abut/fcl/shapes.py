@@ -168,6 +168,9 @@ class Plane(Halfspace):
         return Shape.plane(self.n, self.d), Shape.plane(-self.n, -self.d)
 
 
+_EMPTY, _BEGUN, _PROCESSED = range(3)  # BVHBuildState of FCL
+
+
 class BVHModel(CollisionGeometry):
     """A surface of triangles without an inside: beginModel, addSubModel or addTriangle, endModel."""
 
@@ -177,10 +180,10 @@ class BVHModel(CollisionGeometry):
     def __init__(self) -> None:
         self._vertices: list = []
         self._triangles: list = []
-        self._state = "new"
+        self._state = _EMPTY
 
     def _made(self):
-        if self._state != "ended":
+        if self._state != _PROCESSED:
             raise ValueError("BVH geometry is not prepared: endModel() is missing")
         return (Shape.mesh(numpy.concatenate(self._vertices), numpy.concatenate(self._triangles)),)
 
@@ -192,14 +195,18 @@ class BVHModel(CollisionGeometry):
         """How many triangles there are; the name is that of python-fcl."""
         return sum(len(triangles) for triangles in self._triangles)
 
+    def buildState(self) -> int:
+        """0 before beginModel, 1 before endModel, then 2."""
+        return self._state
+
     def beginModel(self, num_tris_: int = 0, num_vertices_: int = 0) -> int:
         """Begins; the numbers are not needed."""
-        self._expect("new")
-        self._state = "begun"
+        self._expect(_EMPTY)
+        self._state = _BEGUN
         return 0
 
     def addVertex(self, x: float, y: float, z: float) -> bool:
-        self._expect("begun")
+        self._expect(_BEGUN)
         self._vertices.append(numpy.array([[x, y, z]], "f8"))
         return True
 
@@ -208,15 +215,15 @@ class BVHModel(CollisionGeometry):
 
     def addSubModel(self, verts: Any, triangles: Any) -> bool:
         """Adds vertices and triangles, which count from the first of these vertices."""
-        self._expect("begun")
+        self._expect(_BEGUN)
         before = sum(len(vertices) for vertices in self._vertices)
         self._vertices.append(numpy.array(verts, "f8").reshape(-1, 3))
         self._triangles.append(numpy.array(triangles, "i8").reshape(-1, 3) + before)
         return True
 
     def endModel(self) -> int:
-        self._expect("begun")
+        self._expect(_BEGUN)
         if not self.num_tries_():
             raise ValueError("BVH geometry is not prepared: it has no triangles")
-        self._state = "ended"
+        self._state = _PROCESSED
         return 0
