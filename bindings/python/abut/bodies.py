@@ -102,6 +102,11 @@ class Response(Owner):
         pointer = self.pointer
         self._universe._change(lambda _: function(pointer, *arguments))
 
+    def __repr__(self) -> str:
+        if not self._pointer:
+            return "<Response, closed>"
+        return f"<Response of {self.explain_json()['step'][0]['bodies']} bodies>"
+
     def set_options(self, **fields: Any) -> None:
         """Options from the next step on; fields that are left out have their defaults."""
         described = options.filled(c.ResponseOptions, library.abut_response_options_init, fields)

@@ -32,6 +32,12 @@ class Elements(Owner):
     def _release(self, pointer):
         library.abut_elements_destroy(pointer)
 
+    def __repr__(self) -> str:
+        if not self._pointer:
+            return "<Elements, closed>"
+        found = self.count()
+        return f"<Elements of {found.vertices} vertices, {found.edges} edges and {found.faces} faces>"
+
     def count(self) -> c.ElementCounts:
         """How many vertices, edges, triangles and faces there are."""
         out = c.ElementCounts()

@@ -42,7 +42,8 @@ class Bodies(unittest.TestCase):
         self.assertEqual((island.body_count, island.residuals.is_converged), (1, 1))
         self.assertAlmostEqual(self.response.energy().kinetic, 0, places=6)
         self.assertIn("bodies 1", self.response.explain())
-        self.assertTrue(self.response.explain_json())
+        self.assertEqual(self.response.explain_json()["step"][0]["bodies"], 1)
+        self.assertEqual(repr(self.response), "<Response of 1 bodies>")
         self.assertIsInstance(self.response.validate(), list)
 
     def test_bytes_give_the_same_bits(self):

@@ -18,6 +18,15 @@ from abut import c
 HEADERS = pathlib.Path(os.environ["ABUT_HEADERS"]) if "ABUT_HEADERS" in os.environ else None
 
 
+def is_served_by_another(name, called):
+    """Whether a batch does what a function does for one, or Shape.of_kind what a shorthand does."""
+    batch = re.sub(r"^abut_(part|geometry)_", lambda found: {"part": "abut_parts_", "geometry": "abut_geometries_"}[found[1]],
+                   name)
+    kind = re.fullmatch(r"abut_(\w+)_create", name)
+    return not {batch, batch + "s", re.sub("y$", "ies", batch)}.isdisjoint(called - {name}) or (
+        kind is not None and kind[1] in abut.shape_kinds())
+
+
 class Layout(unittest.TestCase):
     def test_structs_are_those_of_the_library(self):
         structs = {"abut_" + re.sub(r"(?<!^)(?=[A-Z])", "_", name).lower(): value for name, value in vars(c).items()
@@ -43,6 +52,20 @@ class Layout(unittest.TestCase):
             declared = set(re.findall(r"^ABUT_API [^;(]*?(abut_\w+)\(", text, re.MULTILINE))
             self.assertGreater(len(declared), 8)
             self.assertEqual(declared, set(functions))
+
+    def test_the_package_calls_all_but_what_c_programs_need_only(self):
+        folder = pathlib.Path(abut.__file__).parent
+        sources = "".join(path.read_text() for path in folder.rglob("*.py") if path.parent != folder / "c")
+        called = set(re.findall(r"abut_\w+", sources))
+        left_out = {name for functions in (c.FUNCTIONS, c.PICKING_FUNCTIONS, c.RESPONSE_FUNCTIONS) for name in functions
+                    if name not in called and not is_served_by_another(name, called)}
+        self.assertEqual(left_out, {
+            # The package loads the library, and turns failures into exceptions.
+            "abut_set_last_error", "abut_last_error_message", "abut_status_name", "abut_check_version",
+            # Memory of the host, and what extension libraries and their tests need.
+            "abut_set_allocator", "abut_memory_allocate", "abut_memory_release", "abut_universe_attach",
+            "abut_universe_detach", "abut_universe_counters", "abut_universe_set_pointer_filter", "abut_layout_count",
+            "abut_layout_at", "abut_particles_create_with_radii"})
 
     def test_constants_are_those_of_the_header(self):
         if HEADERS is None:

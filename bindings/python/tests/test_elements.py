@@ -25,6 +25,7 @@ class Elements(unittest.TestCase):
     def test_counts(self):
         self.assertEqual(self.tip.count().faces, 1)
         self.assertEqual(self.tip.edges(), [(0, 1), (0, 2), (1, 2)])
+        self.assertEqual(repr(self.tip), "<Elements of 3 vertices, 3 edges and 1 faces>")
 
     def test_closest(self):
         self.assertEqual(len(self.tip.closest(self.ground, reach=0.5)), 0)
