@@ -11,6 +11,7 @@ from . import c, rotations
 from .records import ROWS, Records, dtype_of, numpy
 
 _LIMITS = {c_uint32: 2**32 - 1, c_uint64: 2**64 - 1}
+_ALSO = {c.Pose: rotations.pose_rows, c.Quat: rotations.quaternions}  # what else is one than its numbers
 _LETTERS = {c_double: "d", c_uint32: "I", c_uint64: "QL"}
 
 
@@ -142,8 +143,8 @@ def structs(kind: Any, name: str, values: Any) -> Given:
         return Given(name, values.memory)
     if isinstance(values, ctypes.Array) and values._type_ is kind:
         return Given(name, values)
-    if kind is c.Pose:
-        values = rotations.pose_rows(name, values)
+    if kind in _ALSO:
+        values = _ALSO[kind](name, values)
     if is_array(values):
         return _structs_of_array(kind, name, values)
     items = list(values)
@@ -170,8 +171,8 @@ def _row(kind, name, item):
     """One struct, from itself or from its numbers."""
     if isinstance(item, kind):
         return item
-    if kind is c.Pose:
-        item = rotations.pose_rows(name, item)
+    if kind in _ALSO:
+        item = _ALSO[kind](name, item)
     width = ROWS.get(kind)
     if width is None or not hasattr(item, "__iter__"):
         raise TypeError(f"{name} is of type {type(item).__name__}; it must be a {kind.__name__}")

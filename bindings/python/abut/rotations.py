@@ -17,23 +17,17 @@ _TOLERANCE = 1e-3
 _LAST_ROW = (0.0, 0.0, 0.0, 1.0)
 
 
-def quaternion(name: str, value: Any) -> Any:
-    """Four numbers, scalar first, of a 3 x 3 matrix or of a rotation of SciPy; anything else is returned as it is."""
-    if hasattr(value, "as_quat"):
-        value = _scalar_first(name, value.as_quat(), 1)
-    rows = _rows(value, 3)
-    return value if rows is None else _quaternion_of(name, rows)
-
-
 def quaternions(name: str, values: Any) -> Any:
-    """The same for (N, 3, 3) matrices or a rotation of SciPy that holds N: (N, 4) numbers."""
+    """Quaternions, scalar first, of a 3 x 3 matrix, of (N, 3, 3) of them, or of a rotation of SciPy.
+
+    Anything else is returned as it is.
+    """
     if hasattr(values, "as_quat"):
-        return _scalar_first(name, values.as_quat(), None)
+        return _scalar_first(values.as_quat())
     if getattr(values, "ndim", 0) == 3 and values.shape[1:] == (3, 3):
         return _quaternions_of(name, _floats(name, values))
-    if getattr(values, "ndim", 0) == 2 and values.shape == (3, 3):
-        return _quaternion_of(name, values.tolist())
-    return values
+    rows = _rows(values, 3)
+    return values if rows is None else _quaternion_of(name, rows)
 
 
 def pose_rows(name: str, values: Any) -> Any:
@@ -64,11 +58,9 @@ def _rows(value, size):
     return [[float(number) for number in row] for row in rows]
 
 
-def _scalar_first(name, scalar_last, dimensions):
+def _scalar_first(scalar_last):
     """Quaternions of SciPy, which has the scalar last."""
-    if dimensions is not None and getattr(scalar_last, "ndim", dimensions) != dimensions:
-        raise ValueError(f"{name} holds {len(scalar_last)} rotations; it must be one")
-    if dimensions is None and getattr(scalar_last, "ndim", 1) == 2:
+    if getattr(scalar_last, "ndim", 1) == 2:
         return numpy().roll(scalar_last, 1, axis=1)
     x, y, z, w = scalar_last
     return [float(w), float(x), float(y), float(z)]

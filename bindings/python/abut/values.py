@@ -6,7 +6,7 @@ from __future__ import annotations
 from ctypes import c_double
 from typing import Any
 
-from . import c, given, rotations
+from . import c, given
 from .records import Records, is_numpy_loaded, numpy
 
 __all__ = ["matrices", "pose", "poses", "ray", "rays"]
@@ -19,8 +19,7 @@ def pose(x: float = 0.0, y: float = 0.0, z: float = 0.0, orientation: Any = (1.0
 
     That is a unit quaternion, scalar first, a 3 x 3 rotation matrix, or a rotation of SciPy.
     """
-    turn = rotations.quaternion("orientation", orientation)
-    return c.Pose(c.Vec3(x, y, z), given.one(c.Quat, "orientation", turn))
+    return c.Pose(c.Vec3(x, y, z), given.one(c.Quat, "orientation", orientation))
 
 
 def poses(positions: Any, orientations: Any = (1.0, 0.0, 0.0, 0.0)) -> Records:
@@ -28,8 +27,7 @@ def poses(positions: Any, orientations: Any = (1.0, 0.0, 0.0, 0.0)) -> Records:
 
     Orientations are (N, 4) unit quaternions, scalar first, (N, 3, 3) rotation matrices, or a rotation of SciPy.
     """
-    places = given.structs(c.Vec3, "positions", positions)
-    turns = given.structs(c.Quat, "orientations", rotations.quaternions("orientations", orientations))
+    places, turns = given.structs(c.Vec3, "positions", positions), given.structs(c.Quat, "orientations", orientations)
     return _joined(c.Pose, given.together(places, turns), position=places, orientation=turns)
 
 

@@ -57,7 +57,6 @@ class Cluster(unittest.TestCase):
             os.kill(killed, signal.SIGKILL)
             found = b"".join(part.tobytes() for part in client.gather(tasks))
             self.assertEqual(found, expected.tobytes())
-            client.wait_for_workers(2)
             self.assertNotIn(killed, set(client.run(os.getpid).values()))
 
 

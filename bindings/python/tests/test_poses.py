@@ -79,6 +79,10 @@ class OnePose(unittest.TestCase):
     def test_rotations_of_scipy(self):
         self.assertEqual([*abut.pose(orientation=Rotation([0.6, 0, 0, 0.8])).orientation], [0.8, 0.6, 0, 0])
 
+    def test_one_matrix_serves_for_many(self):
+        found = abut.poses([(1, 2, 3), (4, 5, 6)], QUARTER)
+        self.assertEqual([bytes(each.orientation) for each in found], [bytes(abut.pose(0, 0, 0, QUARTER).orientation)] * 2)
+
     def test_what_is_no_rotation_is_refused(self):
         shifted = [[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0], [5, 6, 7, 1]]
         scaled = [[2, 0, 0, 0], [0, 2, 0, 0], [0, 0, 2, 0], [0, 0, 0, 1]]
@@ -111,6 +115,8 @@ class ManyPoses(unittest.TestCase):
         by_matrix = abut.pairs_distance(box, self.matrices, ball, abut.pose(4, 0, 0))
         by_pose = abut.pairs_distance(box, many, ball, abut.pose(4, 0, 0))
         self.assertEqual(bytes(by_matrix.memory), bytes(by_pose.memory), f"seed {SEED}")
+        listed = abut.poses(self.matrices[:, :3, 3].tolist(), self.matrices[:, :3, :3].tolist())
+        self.assertEqual(bytes(listed.memory), bytes(many.memory), f"seed {SEED}")
         for i in range(0, 300, 7):
             single = abut.pose(*self.matrices[i, :3, 3], self.matrices[i, :3, :3])
             self.assertEqual(bytes(single), bytes(many[i]), f"seed {SEED}")
@@ -129,7 +135,7 @@ class ManyPoses(unittest.TestCase):
         assert_array_equal(found.array[:, 3:], self.quaternions)
         one = abut.poses(self.matrices[:, :3, 3], Rotation(scalar_last[0]))
         assert_array_equal(one.array[:, 3:], self.quaternions[:1].repeat(300, 0))
-        with self.assertRaisesRegex(ValueError, "orientation holds 300 rotations; it must be one"):
+        with self.assertRaisesRegex(ValueError, "orientation has 300 numbers; it must have 4"):
             abut.pose(orientation=Rotation(scalar_last))
 
     def test_which_matrix_is_wrong(self):

@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy
 
-from ..rotations import quaternion
+from ..rotations import quaternions
 from ..values import matrices, pose
 from .shapes import CollisionGeometry
 
@@ -18,7 +18,7 @@ def _rotation(name, values):
     """A 3 x 3 matrix, from itself or from a quaternion, scalar first."""
     array = numpy.array(values, "f8")
     if array.shape == (3, 3):
-        quaternion(name, array)  # refuses what is no rotation
+        quaternions(name, array)  # refuses what is no rotation
         return array
     if array.shape != (4,):
         raise ValueError(f"{name} has shape {array.shape}; it must be (3, 3), or (4,) for a quaternion")
@@ -55,7 +55,7 @@ class Transform:
         return self._translation.copy()
 
     def getQuatRotation(self) -> Any:
-        return numpy.array(quaternion("rotation", self._rotation))
+        return numpy.array(quaternions("rotation", self._rotation))
 
     def setRotation(self, R: Any) -> None:
         self._rotation = _rotation("R", R)
@@ -69,7 +69,7 @@ class Transform:
     @property
     def pose(self) -> Any:
         """The same as a pose of abut."""
-        return pose(*self._translation, quaternion("rotation", self._rotation))
+        return pose(*self._translation, self._rotation)
 
     def __repr__(self) -> str:
         return f"<Transform at {tuple(self._translation.tolist())}, turned {tuple(self.getQuatRotation().tolist())}>"
