@@ -19,6 +19,8 @@ _NUMBERS = 12
 def _vertices(name, values):
     if given.is_array(values) and getattr(values, "ndim", 0) == 3 and values.shape[1:] == (4, 3):
         values = values.reshape(len(values), _NUMBERS)
+    if isinstance(values, (list, tuple)) and values and hasattr(values[0], "__len__") and len(values[0]) == 4:
+        values = [[number for vertex in row for number in vertex] for row in values]
     return given.rows(name, values, _NUMBERS)
 
 

@@ -37,6 +37,14 @@ class Deforming(unittest.TestCase):
         with self.assertRaisesRegex(ValueError, "start has 11 numbers"):
             abut.vertices_touch_faces(OVER[:11], BELOW)
 
+    def test_corners_given_twice_make_edges_and_points(self):
+        edge, point = [(-1, 0, 0), (1, 0, 0), (1, 0, 0)], [(0, 0, 0)] * 3
+        for face, x, touches in ((edge, 0.5, 1), (edge, 1.5, 0), (point, 0, 1), (point, 0.1, 0)):
+            first, = abut.vertices_touch_faces([[(x, 0, 1), *face]], [[(x, 0, -1), *face]])
+            self.assertEqual(first.touches, touches, (face, x))
+            if touches:
+                self.assertAlmostEqual(first.lower, 0.5)
+
 
 if __name__ == "__main__":
     unittest.main()
