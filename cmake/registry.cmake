@@ -89,9 +89,9 @@ list(REMOVE_ITEM abut_missing_shapes ${abut_enabled_shapes})
 # Appends the sources of a shape: its one file, or what lies in its folder.
 function(abut_sources_of_shape name in_out_interfaces in_out_implementations)
   set(folder ${CMAKE_CURRENT_SOURCE_DIR}/shapes)
-  file(GLOB interfaces CONFIGURE_DEPENDS ${folder}/${name}.cppm ${folder}/${name}/*.cppm)
+  file(GLOB more CONFIGURE_DEPENDS ${folder}/${name}.cppm ${folder}/${name}/*.cppm)
   file(GLOB units CONFIGURE_DEPENDS ${folder}/${name}/*.cpp)
-  set(${in_out_interfaces} ${${in_out_interfaces}} ${interfaces} PARENT_SCOPE)
+  set(${in_out_interfaces} ${${in_out_interfaces}} ${more} PARENT_SCOPE)
   set(${in_out_implementations} ${${in_out_implementations}} ${units} PARENT_SCOPE)
 endfunction()
 

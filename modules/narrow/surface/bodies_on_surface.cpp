@@ -3,6 +3,7 @@ module abut.narrow.surface.bodies_on_surface;
 import abut.capability;
 import abut.core.standard;
 import abut.math;
+import abut.narrow.parts.nearest_of_parts;
 import abut.narrow.triangle.stopping_sides;
 import abut.narrow.ways.translation_search;
 
