@@ -1,5 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 // Where memory comes from: operator new of the process, or the functions that the host has set.
+//
+// The allocator of the host replaces operator new inside the shared library only, by the linker (abut_wrap_memory).
+// Types need no allocators. A private copy of libstdc++ would add hundreds of kB, and its exceptions would pass through
+// oneTBB from a second runtime. The replacement is sound because strings and containers of C++20 are compiled into this
+// library: its calls into libstdc++.so neither take nor give memory. tests/symbols checks that only the four forms of
+// operator new and delete are imported, and tests/steady that nothing calls malloc. If the host sets nothing, the
+// process's own operator new is called, so hosts that replace it, and sanitizers, work as before.
+//
+// The host's two functions can only be set while no block is in use, since each block has to return to its allocator. A
+// word before each block would record that but cost 16 bytes a block, so blocks are counted instead, by thread.
 #include "border.hpp"
 #include "guard.hpp"
 

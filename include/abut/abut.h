@@ -16,7 +16,7 @@
  *  - Arrays of unknown length are filled by count-then-fill: `capacity` elements fit into the array,
  *    `count` receives how many there are; nothing past `capacity` is written. A null array with
  *    capacity 0 asks for the count only.
- *  - Batches that set something take an id more than once: the last one counts.
+ *  - A batch that sets something may name an id more than once; the last value wins.
  *  - Thread rule of each function: [any] any thread at any time; [const] together with other [const]
  *    calls on the same universe, not during an [exclusive] one; [exclusive] alone on its universe, and
  *    ABUT_BUSY from a callback of it.
@@ -24,6 +24,38 @@
  *  - Structs that begin with struct_size grow over time. Fill them with their _init function, which
  *    is told sizeof of the struct as the caller knows it, then change fields. A caller compiled against
  *    an older header stays valid.
+ *
+ * Contents, each with the name to search for:
+ *
+ *  - Version, status, messages: abut_status, abut_last_error_message, abut_set_log, abut_check_version
+ *  - Memory: abut_set_allocator, abut_memory_in_use
+ *  - Values: abut_vec3, abut_quat, abut_pose, abut_aabb, abut_part_id, abut_geometry_id, abut_feature
+ *  - Shapes: abut_sphere_create to abut_box_hole_create, abut_shape_create by name, abut_shape_retain,
+ *    abut_shape_release, abut_shape_cast_ray
+ *  - Pairs of shapes: abut_query_options, abut_pair_distance, abut_contact, abut_pair_contacts, abut_pair_memory,
+ *    abut_pair_overlaps
+ *  - Vertices on straight lines: abut_vertices_touch_faces, abut_edges_touch_edges
+ *  - Elements: abut_elements_create, abut_elements_closest, abut_elements_first_touches, abut_elements_crossings
+ *  - Bodies that move and turn: abut_movement, abut_pair_time_of_impact
+ *  - Universe:
+ *      - itself: abut_universe_create, abut_universe_destroy, abut_universe_save, abut_universe_load
+ *      - parts: abut_part_create, abut_part_set_pose, abut_part_set_motion, abut_part_set_sleep
+ *      - geometries: abut_geometry_create, abut_geometry_set_options, abut_geometry_park
+ *      - shapes that change: abut_geometry_set_shape, abut_geometry_set_parameters, abut_geometry_set_vertices
+ *      - who meets whom: abut_rule_set, abut_universe_set_filter
+ *      - how: abut_policy_set, abut_universe_set_focus, abut_material_pair_set
+ *      - steps: abut_universe_step, abut_universe_detect_all, abut_universe_refresh
+ *      - answers: abut_universe_events, abut_universe_contacts, abut_universe_stats, abut_universe_hash
+ *      - explanations: abut_universe_explain, abut_universe_why_apart, abut_universe_validate
+ *  - Welds: ABUT_UNIVERSE_WELDS, ABUT_QUERY_WELDS
+ *  - Islands: abut_universe_follow_islands, abut_universe_islands, abut_part_island
+ *  - Velocities of parts: abut_part_set_velocity, abut_part_measure_velocity, abut_part_set_acceleration
+ *  - Fast geometries: ABUT_GEOMETRY_FAST, abut_universe_impacts, abut_universe_advance_to_first_impact
+ *  - Self pairs: ABUT_GEOMETRY_SELF_PAIRS
+ *  - Extension libraries of a universe: abut_universe_attach, abut_universe_detach
+ *  - Queries on a universe: abut_universe_cast_ray, abut_universe_cast_shape, abut_universe_overlaps,
+ *    abut_universe_at_point, abut_universe_closest; abut_pair_cast
+ *  - Layout report: abut_layout_at
  */
 #ifndef ABUT_ABUT_H
 #define ABUT_ABUT_H

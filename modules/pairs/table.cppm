@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // What the table of all pairs of the shapes of a registry holds. Knows no shape by name, and no kernel: those who ask
 // the table are not compiled again where a kernel changes.
+//
+// A form is a kind that differs only in its name, its number and its parameters (Form). Its shapes, and so its pairs,
+// are those of another kind's class. Indices of forms follow those of classes: kind_of returns the kind of a shape, and
+// kind_in_pairs that of its pairs.
 export module abut.pairs.table;
 import abut.core.standard;
 import abut.core;

@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Triangles whose vertices are near each other made to share them.
+//
+// Merged vertices and collapsed triangles keep their numbers. So a caller whose vertices are repeated, as for drawing,
+// moves them by its own numbers; vertices that gave way belong to no triangle.
 export module abut.triangles.merged_vertices;
 import abut.core.standard;
 import abut.math;

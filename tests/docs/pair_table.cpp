@@ -24,17 +24,15 @@ constexpr std::array signs{
     Sign{"GJK apart, SAT over facets in overlap", "🔵 H"},
     Sign{"GJK apart, SAT over facets and rims in overlap", "🟡 R"},
     Sign{"GJK apart, EPA in overlap", "🟠 E"},
+    Sign{"nearest triangle apart, separating translation in overlap", "🟠 T"},
     Sign{"descent of the field", "🟠 D"},
     Sign{"points of the surface", "🟠 P"},
     Sign{"walls, one by one", "🟣 W"},
     Sign{"as for the children, pair by pair", "🟣 C"},
 };
 
-// Of surfaces and of particles each part is met by itself.
-constexpr std::array part_by_part{std::string_view("a half-space against a surface"),
-                                  std::string_view("a surface against a convex shape"),
-                                  std::string_view("two surfaces"),
-                                  std::string_view("many solids of one kind"),
+// Each ball of particles, and each triangle beside a field or a hole, is a pair by itself.
+constexpr std::array part_by_part{std::string_view("many solids of one kind"),
                                   std::string_view("a sampled solid against a surface"),
                                   std::string_view("a hole against a surface")};
 

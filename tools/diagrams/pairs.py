@@ -6,7 +6,7 @@ from tables import table_under
 
 COLOURS = {"🟢": "good", "🔵": "a", "🟡": "gold", "🟠": "b", "🟣": "mark"}
 LEGEND = (("good", "F, S", "exact by a formula"), ("a", "A, B, H", "proven to rounding"), ("gold", "R", "proven within 1e-9"),
-          ("b", "D, E, P", "within an interval"), ("mark", "C, W", "as its children or walls"), (None, "", "never meet"))
+          ("b", "D, E, P, T", "within an interval"), ("mark", "C, W", "as its children or walls"), (None, "", "no answer"))
 LEFT, TOP, SIDE = 126, 200, 30
 
 
@@ -22,10 +22,10 @@ def _cell(picture, x, y, sign):
 def _legend(picture):
     for i, (name, letters, meaning) in enumerate(LEGEND):
         x, y = 24 + 246 * (i % 3), 52 + 30 * (i // 3)
-        picture.rectangle(x, y, 58, 22, pale=name or "soft", round_by=4)
+        picture.rectangle(x, y, 78, 22, pale=name or "soft", round_by=4)
         if letters:
-            picture.text(x + 29, y + 16, letters, anchor="middle", name=name, is_bold=True)
-        picture.text(x + 66, y + 16, meaning)
+            picture.text(x + 39, y + 16, letters, anchor="middle", name=name, is_bold=True)
+        picture.text(x + 86, y + 16, meaning)
 
 
 def draw():
@@ -33,12 +33,12 @@ def draw():
     kinds = rows[0][1:]
     bottom = TOP + SIDE * len(kinds)
     picture = Picture(760, bottom + 44, "Which search answers each pair of kinds, and how sure the answer is")
-    picture.text(24, 34, "What meets what", size=16, is_bold=True)
+    picture.text(24, 34, "Which kinds collide, and how exactly", size=16, is_bold=True)
     _legend(picture)
     for i, kind in enumerate(kinds):
         picture.text(LEFT - 8, TOP + SIDE * i + 21, kind, anchor="end")
         picture.text(LEFT + SIDE * i + 21, TOP - 6, kind, size=12, is_upward=True)
         for j, sign in enumerate(rows[1 + i][1:]):
             _cell(picture, LEFT + SIDE * j, TOP + SIDE * i, sign)
-    picture.text(24, bottom + 26, "+: part by part, of a surface or of particles.", name="soft")
+    picture.text(24, bottom + 26, "+: each ball of particles, each triangle beside a field or a hole.", name="soft")
     return picture

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Triangles side by side in vector registers, so that a condition is asked about four at once.
+//
+// A height field reads four cells of a row.
 export module abut.capability.parts.four_triangles;
 import abut.capability.parts.part_triangle;
 import abut.capability.records;

@@ -1,5 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // The contacts of two geometries on their paths through a step.
+//
+// If both shapes are convex and one of them has moved, the path yields all contacts, so the narrow phase skips the
+// pair. Three tests come first, cheapest first. Along the line between the centres at their closest, most passing pairs
+// are apart. Along that line at the start, others are apart for a while; the search for a touch begins after it.
+// Contacts at the start yield the touches at the start. Only the remaining pairs need a time of impact.
 export module abut.detect.paths.path_contacts;
 import abut.core.standard;
 import abut.detect.pairs.jobs;

@@ -1,5 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // The broad phase of those that look at their path through a step: whom they may meet on it.
+//
+// The broad phase holds no swept boxes: a long box in the tree would slow down queries and other pairs. Instead, fast
+// geometries search the tree of present poses with pieces of their paths, grown by the distance that slow ones travel.
+// Geometries that travel further than the mean size of fast ones are compared with each other.
 export module abut.detect.paths.sweeps;
 import abut.broadphase;
 import abut.capability;

@@ -1,5 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // The touches of two geometries on their paths through a step, in order of time.
+//
+// Two convex bodies on straight paths overlap during one interval. The curvature and rotation of their paths bound how
+// far they can separate and touch again, so resting bodies are not examined again. An overlap also takes time to end;
+// that time is the distance between two samples.
 export module abut.detect.paths.touches;
 import abut.capability;
 import abut.core.standard;

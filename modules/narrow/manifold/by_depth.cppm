@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // What a reduction looks at of contacts, in the order of depth. Contacts are large: they move once it is known which of
 // them stay.
+//
+// A contact has 112 bytes, of which the normal, the middle and the depth are read again and again, four normals at
+// once. In one benchmark a box on a mesh has 81 contacts, of which 19 stay.
 export module abut.narrow.manifold.by_depth;
 import abut.capability;
 import abut.core.memory.small_vector;

@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // The four points of a patch in its plane that span the largest area, where the patch has few points.
+//
+// Only points outside an octagon can span more area. Its corners are the points furthest in eight directions (Akl,
+// Toussaint, "A fast convex hull algorithm", 1978).
 export module abut.narrow.manifold.four_points;
 import abut.core.standard;
 import abut.math;

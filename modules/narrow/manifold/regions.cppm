@@ -1,5 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Which points of a surface hang together: those of the same triangles, and those between which no gap is too wide.
+//
+// Regions are found from cell to cell. A cell is half as wide as the widest gap, so all points of a cell belong
+// together. Boxes around the points of cells, four at a time, nearly always decide whether two cells are near;
+// otherwise their points do.
 export module abut.narrow.manifold.regions;
 import abut.core.memory.small_vector;
 import abut.core.standard;

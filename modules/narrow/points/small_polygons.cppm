@@ -4,6 +4,8 @@
 //
 // Only a region beyond doubt is found. A corner may lie on the line of an edge within rounding. Then cutting edge by
 // edge keeps all answers about it in agreement.
+//
+// Triangles, boxes and hulls hand over a face of three or four corners, one corner for each lane.
 export module abut.narrow.points.small_polygons;
 import abut.capability;
 import abut.core.standard;

@@ -5,6 +5,12 @@
 // of triangles covers one point of the plane within the box. Seen along the normal, the number of triangles over a
 // point changes at edges only, each time by an even number. So it is odd everywhere within the box. Neither condition
 // depends on how the triangles are numbered or wound, or whether some of them have no area.
+//
+// Edges are compared by the positions of their ends: each gives a number, and the exclusive or of all numbers is zero.
+// So triangles need not share vertices, and an edit has nothing to update. Two different sums agree by chance in one of
+// 2^60 cases. A neighbour across an edge of the nearest triangle rules out most other ground first. Vertices rounded to
+// float give the ground a thickness: up to a millionth of the size of the shape, or four millionths at large
+// coordinates. The normal is then the mean of all normals.
 export module abut.narrow.surface.flat_patch;
 import abut.capability;
 import abut.core.standard;

@@ -1,6 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // A triangle of a surface against a convex shape, or against a triangle of another surface: their separation, and which
 // normals may part them. A one-sided triangle only pushes to its front.
+//
+// A shape that only touches a triangle does not overlap it: a plane separates the two within rounding, and the shape
+// has width beyond that plane. Points that reach under a neighbouring triangle then count no deeper than that. Normals
+// of searches are exact only within the bound of the search, so the normal cones of edges and corners are tested with
+// that bound.
 export module abut.narrow.triangle.triangle_contacts;
 import abut.capability;
 import abut.core.standard;

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // The closest points of a triangle and a segment that it does not pierce: on an edge, all three side by side, or an end
 // of the segment over the face. Source: Ericson, "Real-Time Collision Detection", 2005, 5.1.9 and 5.1.10.
+//
+// A segment that pierces the triangle is separated along a separating axis instead. A segment without radius could pass
+// between two triangles by rounding and touch neither; it counts as touching what is within rounding.
 export module abut.narrow.triangle.triangle_segment;
 import abut.capability;
 import abut.core.standard;

@@ -1,5 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Two surfaces of which one or both are solids: what of one is inside of the other one, and how it gets out.
+//
+// Two solids use the search for any two surfaces. If no triangles cross but a point of one lies inside the other, the
+// translation goes on to the surface of that solid. Separating axes give the length at which two triangles touch,
+// without a search.
 module abut.narrow.two_surfaces.crossing_surfaces;
 import abut.capability;
 import abut.core.standard;

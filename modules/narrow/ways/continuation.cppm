@@ -2,6 +2,10 @@
 // Whether a surface goes on past a contact. The triangles of one surface, or of two, may meet without a vertex in
 // common: at a crack, a T-junction or a seam. There a border is no border, and a contact whose normal a neighbour rises
 // over is none of the whole.
+//
+// Neighbours are found by position, since triangles at a crack share no vertex index. A contact at an edge or a corner
+// searches the tree for triangles beside its point. Other surfaces are searched in the same way after all pairs are
+// done (pairs/composites/seams, detect/seams).
 export module abut.narrow.ways.continuation;
 import abut.capability;
 import abut.core.standard;

@@ -1,6 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // Contacts of one body with parts that lie side by side, where one of them is convex: boxes of a floor, hulls of one
 // body, a box beside a mesh. The wall between two parts is a wall to each of them and none of the whole.
+//
+// A neighbour is searched for at the point of a contact and beside it on the same face or edge. At the foot of a step,
+// the wall beside the floor rises over the floor's contact, but not a stride away from it. Contacts that a neighbour
+// covers are not turned by a formula. The same kernel computes them again after the body has been moved out of the
+// other parts. So regions, features and ids are those of any pair.
 export module abut.pairs.composites.welds;
 import abut.core.standard;
 import abut.math;

@@ -1,5 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // The kernels of all pairs of the shapes of a registry, which fill the rows of its table. Knows no shape by name.
+//
+// Closed forms are inlined into each cell of the table. Loading a whole vector right after writing its fields stalls
+// the processor, so values between the parts of such a query stay in registers. Searches take much longer: they are
+// compiled once for each pair of cores, and their rare branches once for all.
 export module abut.pairs.rows.dispatch;
 import abut.core.standard;
 import abut.core;

@@ -49,7 +49,9 @@ template <class A, class B>
     return "as for the children, pair by pair";
   } else if constexpr (way == Route::convex) {
     return name_searches<A, B>();
-  } else if constexpr (Scattered<A> || Surface<A>) {
+  } else if constexpr (way == Route::parts || way == Route::parts_of_both) {
+    return "nearest triangle apart, separating translation in overlap";
+  } else if constexpr (Scattered<A>) {
     return name_algorithm<typename A::Part, B>();
   } else {
     return name_algorithm<A, typename B::Part>();

@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Who meets whom, and how.
+//
+// The reason why two geometries do not collide comes from the same data as detection: these filters, the kept pairs and
+// the boxes. The filter of the caller is not called, since it may have side effects; its last answer counts.
 export module abut.scene.meetings;
 import abut.core.standard;
 import abut.scene.state.options;

@@ -3,6 +3,9 @@
 // Each cell holds two triangles. One-sided: the front is +Z. A height that is NaN makes a hole: the triangles around it
 // are missing. Cells under a box are found by division. By option what is below is inside, down to a floor: then walls
 // and the floor close the surface (height_field_base.cpp).
+//
+// Holes are NaN instead of a list: comparisons with NaN are false, so rays, boxes and least heights skip holes without
+// a test.
 export module abut.shapes.height_field;
 import abut.capability;
 import abut.core.standard;

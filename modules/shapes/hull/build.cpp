@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // From points to hull vertices and faces: Qhull, behind a clean-up that hands it only clouds that
 // extend in all three directions, scaled so that they extend alike.
+//
+// The scaling is an affine map, which keeps the set of extreme points. So needles and plates lose no digits. Clouds
+// without extent in a direction, measured along their principal axes, become polygons, segments or points instead.
 module;
 #pragma clang diagnostic push
 #pragma clang diagnostic ignored "-Weverything"

@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
+// Support points of a hull scan all vertices, four at a time, up to 48 vertices. Above that, directions are sorted into
+// 384 cells of a cube, and each cell lists the vertices that can be extreme in it. The lists are groups of four; most
+// cells have one group.
 module abut.shapes.hull.data;
 import abut.core.standard;
 import abut.math;

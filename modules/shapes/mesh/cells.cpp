@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Meshes whose trees are made by cells.
+// Meshes whose trees are made by cells. Their vertices move only along the third axis, perpendicular to the grid, so
+// that triangles stay in their cells.
 module abut.shapes.mesh;
 import abut.capability;
 import abut.core.standard;

@@ -2,6 +2,10 @@
 // A bounding volume hierarchy of boxes that are all there from the start, such as those of the triangles of a mesh.
 // Boxes are relative to the middle of all, so that single precision loses little far from the origin. They may move
 // later, or go: then the boxes around them are fitted. The tree keeps its form but where that has worn.
+//
+// A mesh makes its tree when a query first needs it, behind a once-guard; a mesh that is only drawn or picked has none.
+// A node has eight boxes. The tree takes 32 bytes a triangle. Neighbours (mesh_neighbours) take 26 more and are made
+// when contacts first need them.
 export module abut.trees.boxes.bvh;
 import abut.core.standard;
 import abut.core;

@@ -1,6 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // Two trees of boxes, of which one is placed in the frame of the other, are gone down at once: to the items whose boxes
 // are near each other, the nearest first. Of two nodes the larger one is opened.
+//
+// The eight boxes of the opened node are compared with the other node along the axes of both, in single precision; the
+// reach grows by a bound of the rounding, so no pair is lost. A distance orders nodes by their gap, a cast by the
+// displacement after which the boxes touch. A surface needs only two functions for this (Hierarchy). A height field
+// offers blocks of cells as nodes.
 export module abut.trees.boxes.two_trees;
 import abut.core.memory.small_vector;
 import abut.core.standard;

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // A binary tree over triangles, of one volume for each node: oriented boxes or balls. Triangles stay with their owner,
 // who tells their corners when the tree is made and when it is fitted.
+//
+// Boxes along the axes are the default (bvh). On terrain and on a bent tube of 131,000 triangles, boxes and rays took
+// 2.3 to 32 times as long with oriented boxes, and 1 to 15 times with balls. Two surfaces use the default tree in any
+// case.
 export module abut.trees.boxes.volume_tree;
 import abut.capability.parts.item_tree;
 import abut.core.standard;

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // An order of boxes in which those near each other mostly follow each other, by a grid of cells across two axes. A tree
 // is made of it with few searches for cuts.
+//
+// A uv_grid is a mesh whose tree is made in this order. An index of cells that queries read directly took 1.4 MB of
+// code and was slower than trees.
 export module abut.trees.grids.cell_order;
 import abut.core.standard;
 import abut.math;

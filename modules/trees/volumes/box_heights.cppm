@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // How low boxes reach along a direction, for eight of them at once.
+//
+// A plane descends the tree of a surface by these heights. Sums of the single sides are double; nodes as low as the
+// lowest so far, within rounding, are skipped. On a flat surface that would be all nodes.
 export module abut.trees.volumes.box_heights;
 import abut.core.standard;
 import abut.math;

@@ -24,11 +24,15 @@ TEST(DescribeRoute, NamesTheSearchesOfConvexPairs) {
   EXPECT_EQ(searches_of("ellipsoid", "box"), "GJK apart, EPA in overlap");
 }
 
+TEST(DescribeRoute, NamesOneSearchForSurfaces) {
+  EXPECT_EQ(searches_of("mesh", "box"), "nearest triangle apart, separating translation in overlap");
+  EXPECT_EQ(searches_of("height_field", "hull"), searches_of("mesh", "box"));
+  EXPECT_EQ(searches_of("mesh", "mesh"), searches_of("mesh", "box"));
+  EXPECT_EQ(searches_of("particles", "mesh"), searches_of("mesh", "box"));
+}
+
 TEST(DescribeRoute, NamesThoseOfThePartsOfAShape) {
-  EXPECT_EQ(searches_of("mesh", "box"), searches_of("triangle", "box"));
-  EXPECT_EQ(searches_of("height_field", "hull"), searches_of("triangle", "hull"));
   EXPECT_EQ(searches_of("particles", "box"), searches_of("sphere", "box"));
-  EXPECT_EQ(searches_of("particles", "mesh"), searches_of("sphere", "triangle"));
   EXPECT_EQ(searches_of("plane", "particles"), "support point");
   EXPECT_EQ(searches_of("box_hole", "sphere"), "walls, one by one");
   EXPECT_EQ(searches_of("plane", "height_field"), "support point");
