@@ -31,6 +31,9 @@ class Outcomes {
   std::optional<Outcome> last_;
 };
 
+bool is_convex(const AnyShape& shape) {
+  return std::visit([]<class S>(const S&) { return Convex<S>; }, static_cast<const AnyShape::Variant&>(shape));
+}
 bool is_scattered(const AnyShape& shape) {
   return std::visit([]<class S>(const S&) { return Scattered<S>; }, shape);
 }
@@ -178,6 +181,27 @@ void take_depth_of_groups(const AnyShape& a, const AnyShape& b, const Pose& ab, 
   best = has_group ? deepest : best;
 }
 
+// Convex children leave surfaces together. A child that overlaps fronts from behind alone is let through, and by itself
+// tells the depth of a sheet, which may be deeper.
+void take_depth_of_all(const AnyShape& a, const AnyShape& b, const Pose& ab, const QuerySettings& settings,
+                       Distance& best) {
+  for (const bool is_surface_a : {true, false}) {
+    Distance whole{};
+    if (!depth_of_children(a, b, ab, is_surface_a, -best.distance, settings, whole)) {
+      continue;
+    }
+    const ChildPairs pairs = pairs_of_children(a, b, ab, 0);
+    const bool are_all = std::ranges::all_of(pairs.span(), [&](const ChildPair& pair) {
+      return is_convex(is_surface_a ? *pair.b : *pair.a) && sides_of_surface(is_surface_a ? *pair.a : *pair.b);
+    });
+    if (are_all) {
+      best = whole;
+    } else {
+      static_cast<void>(take_part(whole, best));
+    }
+  }
+}
+
 // The nearest or deepest pair of children, in the frame of a. What holes take away is still there.
 Outcome distance_of_solids(const AnyShape& a, const AnyShape& b, const Pose& ab, const QuerySettings& settings,
                            Distance& best) {
@@ -196,11 +220,7 @@ Outcome distance_of_solids(const AnyShape& a, const AnyShape& b, const Pose& ab,
                           });
   if (best.distance < 0 && may_group(settings)) {
     take_depth_of_groups(a, b, ab, settings, best);
-    for (const bool is_surface_a : {true, false}) {
-      if (Distance whole{}; depth_of_children(a, b, ab, is_surface_a, -best.distance, settings, whole)) {
-        static_cast<void>(take_part(whole, best));
-      }
-    }
+    take_depth_of_all(a, b, ab, settings, best);
   }
   return outcomes.outcome();
 }

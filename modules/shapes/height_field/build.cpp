@@ -148,10 +148,11 @@ std::vector<Vec3> HeightField::find_pieces() const {
       samples.push_back(number(at[0]));
     }
   }
-  std::ranges::transform(samples, samples.begin(), [&](std::uint32_t sample) { return joined.of(sample); });
+  for (std::uint32_t& sample : samples) {
+    sample = joined.of(sample);
+  }
   std::ranges::sort(samples);
-  const auto repeated = std::ranges::unique(samples);
-  samples.erase(repeated.begin(), repeated.end());
+  samples.erase(std::unique(samples.begin(), samples.end()), samples.end());
   std::vector<Vec3> pieces;
   for (const std::uint32_t sample : samples) {
     pieces.push_back(point(sample % data_->columns, sample / data_->columns));
