@@ -38,27 +38,26 @@ template <Convex B>
 template <Convex B>
 class OneOfBodies final : public BodyOnSurface {
  public:
-  OneOfBodies(const TriangleSource& surface, const B& b, const Pose& ab, const QuerySettings& settings)
-      : thick_(searched(b)),
-        ab_(ab),
-        settings_(settings),
-        search_(surface, thick_, ab_, settings_, 0, surface.sides()) {}
+  // Where a constructor may throw, the compiler gives memory back without its size, which no allocator of a host knows.
+  OneOfBodies(const B& b, const Pose& ab, const QuerySettings& settings) noexcept
+      : thick_(searched(b)), ab_(ab), settings_(settings) {}
+  void gather(const TriangleSource& surface) { search_.emplace(surface, thick_, ab_, settings_, 0, surface.sides()); }
 
-  bool is_met() const override { return search_.is_met(); }
-  TranslationSearch begin() override { return search_.begin(); }
+  bool is_met() const override { return search_->is_met(); }
+  TranslationSearch begin() override { return search_->begin(); }
   SurfaceExit exit_along(const Vec3& direction, Real from, Real enough) override {
-    return search_.exit_along(direction, from, enough);
+    return search_->exit_along(direction, from, enough);
   }
-  Obstacles& obstacles() override { return search_; }
+  Obstacles& obstacles() override { return *search_; }
   Vec3 last_point(const SeparatingTranslation& translation) const override {
-    return search_.last_point(translation, thick_);
+    return search_->last_point(translation, thick_);
   }
 
  private:
   B thick_;
   Pose ab_;
   QuerySettings settings_;
-  SurfaceSearch<B> search_;
+  std::optional<SurfaceSearch<B>> search_;
 };
 
 // See surface_kernels.
