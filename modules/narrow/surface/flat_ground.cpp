@@ -112,10 +112,11 @@ std::optional<FlatGround> flat_ground(const TriangleSource& surface, const Groun
   if (-depth_in_plane > most_gap || (sides == StoppingSides::front && !(in_plane.back - body.radius > noise))) {
     return std::nullopt;
   }
-  // Grown in steps, so that the rounding of the plane has no say in which triangles are looked at.
+  // Grown in steps, so that the rounding of the plane has no say in which triangles are looked at. A point at the
+  // origin has no size and no rounding.
   const Real step = std::max(body.size / 1024, 64 * noise);
   const Real reach = std::max(std::fabs(depth_in_plane), margin);
-  const Real grown = step * (1 + std::ceil(reach / step));
+  const Real grown = step > 0 ? step * (1 + std::ceil(reach / step)) : reach;
   const VisitFours visit = [&surface](const Aabb& box, const TakeFour& take) { surface.visit(box, take); };
   [[clang::uninitialized]] FlatPatch patch(
       visit, {*seed, body.box.inflated(grown), thickness, noise, sides != StoppingSides::both});

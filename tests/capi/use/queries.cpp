@@ -211,6 +211,20 @@ TEST(QueriesInUse, PointsAreFoundInSolids) {
   EXPECT_EQ(count, 1U);
 }
 
+// A point has no size, and there rounding has none either.
+TEST(QueriesInUse, APointOnASheetAtTheOriginIsFound) {
+  Universe universe;
+  universe.add(make_square_mesh(1), identity);
+  universe.step();
+  const abut_vec3 origin{0, 0, 0}, aside{0.5, 0.25, 0.5};
+  std::array<abut_geometry_id, 2> found{};
+  std::size_t count = 0;
+  require(abut_universe_at_point(universe, &origin, nullptr, found.data(), found.size(), &count));
+  EXPECT_EQ(count, 1U);
+  require(abut_universe_at_point(universe, &aside, nullptr, found.data(), found.size(), &count));
+  EXPECT_EQ(count, 0U);
+}
+
 TEST(QueriesInUse, TheClosestIsFound) {
   Row row;
   const Shape probe = make_box(0.5, 0.5, 0.5);
