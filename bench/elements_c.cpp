@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The whole step of a cloth through the C interface: candidates, first touches, closest features and crossings.
+// The whole step of a cloth through the C interface: candidates, first touches, closest features and crossings, of its
+// elements and in steps of a universe.
 //
 // usage: abut_bench_elements_c FOLDER
 //
@@ -64,6 +65,54 @@ Counts counts_of(const std::vector<Value>& all) {
   return counts;
 }
 
+// The same step by a universe in which the cloth is fast, and then steps of the cloth at rest.
+bool run_in_universe(const abut_bench::ClothFrame& now, const abut_bench::ClothFrame& next, std::uint32_t threads) {
+  abut_universe_options options;
+  abut_universe_options_init(&options, sizeof options);
+  options.tolerance_mode = ABUT_TOLERANCE_MARGIN;
+  options.threads = threads;
+  abut_universe* universe = nullptr;
+  require(abut_universe_create(&options, &universe));
+  abut_policy policy;
+  abut_policy_init(&policy, sizeof policy);
+  policy.detail = ABUT_DETAIL_ELEMENTS;
+  require(abut_policy_set(universe, 0, 0, &policy));
+  abut_shape* mesh = nullptr;
+  require(abut_mesh_create(now.xyz.data(), now.xyz.size() / 3, now.triangles.data(), now.triangles.size() / 3, nullptr,
+                           &mesh));
+  abut_part_id part{};
+  require(abut_part_create(universe, nullptr, &part));
+  abut_geometry_options its;
+  abut_geometry_options_init(&its, sizeof its);
+  its.flags = ABUT_GEOMETRY_SELF_PAIRS | ABUT_GEOMETRY_FAST;
+  abut_geometry_id cloth{};
+  require(abut_geometry_create(universe, part, mesh, &its, &cloth));
+  abut_shape_release(mesh);
+  const auto step = [&](const char* what) {
+    const double start = processor_milliseconds(), at = clock_milliseconds();
+    require(abut_universe_step(universe, 0.01));
+    std::printf("%-28s %7.1f ms of the processor, %7.1f by the clock on %u threads\n", what,
+                processor_milliseconds() - start, clock_milliseconds() - at, threads);
+    const abut_element_contact* contacts = nullptr;
+    std::size_t count = 0;
+    require(abut_universe_element_contacts(universe, &contacts, &count));
+    std::vector<abut_stencil> stencils;
+    for (const abut_element_contact& contact : std::span(contacts, count)) {
+      stencils.push_back(contact.stencil);
+    }
+    return counts_of(stencils);
+  };
+  step("step that makes elements");
+  require(abut_geometry_set_vertices(universe, cloth, 0, next.xyz.data(), next.xyz.size() / 3));
+  const Counts touches = step("step of the cloth");
+  bool is_right = check("vertices that touch faces", touches.vertices, 19032);
+  is_right = check("edges that touch", touches.edges, 94822) && is_right;
+  step("step that ends its way");
+  step("step at rest");
+  abut_universe_destroy(universe);
+  return is_right;
+}
+
 bool run(const std::string& folder) {
   const auto now = abut_bench::read_cloth_frame(folder + "/cloth_ball92.ply");
   const auto next = abut_bench::read_cloth_frame(folder + "/cloth_ball93.ply");
@@ -117,6 +166,9 @@ bool run(const std::string& folder) {
     }
   }
   abut_elements_destroy(elements);
+  for (const std::uint32_t threads : {1U, 2U}) {
+    is_right = run_in_universe(now, next, threads) && is_right;
+  }
   return is_right;
 }
 

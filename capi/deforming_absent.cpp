@@ -67,3 +67,8 @@ abut_status abut_elements_crossings(abut_elements* /*a*/, abut_elements* /*b*/,
                                     size_t /*capacity*/, size_t* /*count*/) {
   return refuse_deforming();
 }
+
+abut_status abut_universe_element_contacts(const abut_universe* /*universe*/, const abut_element_contact** /*contacts*/,
+                                           size_t* /*count*/) {
+  return refuse_deforming();
+}

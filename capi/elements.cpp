@@ -4,6 +4,7 @@
 #include "elements_options.hpp"
 #include "guard.hpp"
 #include "shape_handle.hpp"
+#include "stencil.hpp"
 
 import abut.capability;
 import abut.core;
@@ -155,21 +156,6 @@ abut_status answer(abut_elements* a, abut_elements* b, const abut_elements_optio
     abut_elements& other = b == nullptr ? *a : *b;
     return body(*a, other, search, out);
   });
-}
-
-abut_stencil from_stencil(const abut::Stencil& its) {
-  abut_stencil out{static_cast<abut_stencil_kind>(its.kind),
-                   its.of_a,
-                   its.element_a,
-                   its.element_b,
-                   {},
-                   {},
-                   from_vec3(its.normal),
-                   its.distance,
-                   its.toi};
-  std::copy(its.vertices.begin(), its.vertices.end(), out.vertices);
-  std::copy(its.weights.begin(), its.weights.end(), out.weights);
-  return out;
 }
 
 void find_candidates(abut_elements& a, const abut_elements& b, const Search& search, const abut::Workers& workers) {

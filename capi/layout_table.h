@@ -294,13 +294,21 @@
   FIELD(abut_collidable, kind, 0, 4) \
   FIELD(abut_collidable, slot, 4, 4) \
   FIELD(abut_collidable, generation, 8, 4) \
-  TYPE(abut_policy, 32) \
+  TYPE(abut_policy, 80) \
   FIELD(abut_policy, struct_size, 0, 4) \
   FIELD(abut_policy, algorithm, 4, 4) \
   FIELD(abut_policy, detail, 8, 4) \
   FIELD(abut_policy, period, 12, 4) \
   FIELD(abut_policy, tolerance, 16, 8) \
   FIELD(abut_policy, error_bound, 24, 8) \
+  FIELD(abut_policy, method, 32, 4) \
+  FIELD(abut_policy, kinds, 36, 4) \
+  FIELD(abut_policy, flags, 40, 4) \
+  FIELD(abut_policy, reserved, 44, 4) \
+  FIELD(abut_policy, contact_distance, 48, 8) \
+  FIELD(abut_policy, rest_distance, 56, 8) \
+  FIELD(abut_policy, cone_angle, 64, 8) \
+  FIELD(abut_policy, cone_factor, 72, 8) \
   TYPE(abut_focus, 32) \
   FIELD(abut_focus, struct_size, 0, 4) \
   FIELD(abut_focus, near_tag, 4, 4) \
@@ -384,6 +392,12 @@
   FIELD(abut_step_impact, contact_count, 36, 4) \
   FIELD(abut_step_impact, is_undecided, 40, 4) \
   FIELD(abut_step_impact, reserved, 44, 4) \
+  TYPE(abut_element_contact, 136) \
+  FIELD(abut_element_contact, geometry_a, 0, 8) \
+  FIELD(abut_element_contact, geometry_b, 8, 8) \
+  FIELD(abut_element_contact, stencil, 16, 104) \
+  FIELD(abut_element_contact, gap, 120, 8) \
+  FIELD(abut_element_contact, id, 128, 8) \
   TYPE(abut_query_filter, 48) \
   FIELD(abut_query_filter, struct_size, 0, 4) \
   FIELD(abut_query_filter, flags, 4, 4) \

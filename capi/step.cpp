@@ -32,6 +32,7 @@ void tell_findings(abut_universe& its) noexcept {
 abut_status forget_lent(abut_universe& its) {
   its.contacts.forget();
   its.local_points.forget();
+  its.element_contacts.forget();
   its.events.forget();
   its.impacts.forget();
   its.sleep_changes.forget();

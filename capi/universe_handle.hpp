@@ -61,6 +61,7 @@ struct abut_universe {
   // Of the last step.
   abut::capi::Lent<abut_contact> contacts;
   abut::capi::Lent<abut_local_points> local_points;
+  abut::capi::Lent<abut_element_contact> element_contacts;
   abut::capi::Lent<abut_event> events;
   abut::capi::Lent<abut_step_impact> impacts;
   abut::capi::Lent<abut_sleep_change> sleep_changes;

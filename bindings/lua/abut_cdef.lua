@@ -263,8 +263,8 @@ typedef uint32_t (*abut_pointer_filter)(void *context, const abut_universe *univ
 abut_status abut_universe_set_pointer_filter(abut_universe *universe, abut_pointer_filter filter, void *context);
 abut_status abut_universe_refilter(abut_universe *universe);
 typedef uint32_t abut_detail;
-enum abut_detail_value { ABUT_DETAIL_MANIFOLD = 0, ABUT_DETAIL_POINT = 1, ABUT_DETAIL_BOX = 2, ABUT_DETAIL_TOUCH = 3 };
-typedef struct abut_policy { uint32_t struct_size; abut_algorithm algorithm; abut_detail detail; uint32_t period; double tolerance; double error_bound; } abut_policy;
+enum abut_detail_value { ABUT_DETAIL_MANIFOLD = 0, ABUT_DETAIL_POINT = 1, ABUT_DETAIL_BOX = 2, ABUT_DETAIL_TOUCH = 3, ABUT_DETAIL_ELEMENTS = 4 };
+typedef struct abut_policy { uint32_t struct_size; abut_algorithm algorithm; abut_detail detail; uint32_t period; double tolerance; double error_bound; abut_closest_method method; abut_stencil_kinds kinds; abut_elements_flags flags; uint32_t reserved; double contact_distance; double rest_distance; double cone_angle; double cone_factor; } abut_policy;
 void abut_policy_init(abut_policy *policy, uint32_t struct_size);
 abut_status abut_policy_set(abut_universe *universe, uint32_t tag_a, uint32_t tag_b, const abut_policy *policy);
 abut_status abut_policy_get(const abut_universe *universe, uint32_t tag_a, uint32_t tag_b, abut_policy *out);
@@ -327,6 +327,8 @@ abut_status abut_parts_accelerations(const abut_universe *universe, const abut_p
 typedef struct abut_step_impact { abut_geometry_id geometry_a; abut_geometry_id geometry_b; double lower; double upper; uint32_t first_contact; uint32_t contact_count; uint32_t is_undecided; uint32_t reserved; } abut_step_impact;
 abut_status abut_universe_impacts(const abut_universe *universe, const abut_step_impact **impacts, size_t *count);
 abut_status abut_universe_advance_to_first_impact(abut_universe *universe, double dt, abut_step_impact *out);
+typedef struct abut_element_contact { abut_geometry_id geometry_a; abut_geometry_id geometry_b; abut_stencil stencil; double gap; uint64_t id; } abut_element_contact;
+abut_status abut_universe_element_contacts(const abut_universe *universe, const abut_element_contact **contacts, size_t *count);
 abut_status abut_universe_attach(const abut_universe *universe, const char *name);
 abut_status abut_universe_detach(const abut_universe *universe, const char *name);
 typedef uint32_t abut_query_filter_flags;

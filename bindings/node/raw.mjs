@@ -84,7 +84,9 @@ const geometryInfo = koffi.struct('abut_geometry_info', { structSize: 'uint32_t'
 const revision = koffi.struct('abut_revision', { geometries: 'uint64_t', poses: 'uint64_t' });
 const collidable = koffi.struct('abut_collidable', { kind: 'uint32_t', slot: 'uint32_t', generation: 'uint32_t' });
 const policy = koffi.struct('abut_policy', { structSize: 'uint32_t', algorithm: 'uint32_t', detail: 'uint32_t',
-  period: 'uint32_t', tolerance: 'double', errorBound: 'double' });
+  period: 'uint32_t', tolerance: 'double', errorBound: 'double', method: 'uint32_t', kinds: 'uint32_t',
+  flags: 'uint32_t', reserved: 'uint32_t', contactDistance: 'double', restDistance: 'double', coneAngle: 'double',
+  coneFactor: 'double' });
 const focus = koffi.struct('abut_focus', { structSize: 'uint32_t', nearTag: 'uint32_t', farTag: 'uint32_t',
   reserved: 'uint32_t', nearDistance: 'double', farDistance: 'double' });
 const contactMaterial = koffi.struct('abut_contact_material', { structSize: 'uint32_t', reserved: 'uint32_t',
@@ -108,6 +110,8 @@ const velocity = koffi.struct('abut_velocity', { linear: vector, angular: vector
 const acceleration = koffi.struct('abut_acceleration', { linear: vector, angular: vector });
 const stepImpact = koffi.struct('abut_step_impact', { geometryA: geometryId, geometryB: geometryId, lower: 'double',
   upper: 'double', firstContact: 'uint32_t', contactCount: 'uint32_t', isUndecided: 'uint32_t', reserved: 'uint32_t' });
+const elementContact = koffi.struct('abut_element_contact', { geometryA: geometryId, geometryB: geometryId,
+  stencil: stencil, gap: 'double', id: 'uint64_t' });
 const queryFilter = koffi.struct('abut_query_filter', { structSize: 'uint32_t', flags: 'uint32_t', layers: 'uint64_t',
   mask: 'uint64_t', ignorePart: partId, ignoreGeometry: geometryId, rayStart: 'uint32_t', reserved: 'uint32_t' });
 const hit = koffi.struct('abut_query_hit', { geometry: geometryId, feature: feature, child: 'uint32_t',
@@ -167,9 +171,9 @@ export const structs = { vector, quaternion, pose, aabb, partId, geometryId, fea
   ray, rayHit, queryOptions, distance, contact, pairMemory, firstTouch, elementCounts, elementsOptions, stencil,
   elementPair, crossing, movement, impactOptions, impact, universeOptions, partOptions, sleep, geometryOptions,
   geometryInfo, revision, collidable, policy, focus, contactMaterial, event, sleepChange, localPoints, stepStats,
-  finding, island, velocity, acceleration, stepImpact, queryFilter, hit, castHit, impactHit, closest, layoutEntry, pick,
-  camera, contactProblem, solverOptions, residuals, massProperties, responseOptions, bodyOptions, contactLaw,
-  responseSide, linkOptions, responseContact, responseObject, responseIsland, energy, responseFinding };
+  finding, island, velocity, acceleration, stepImpact, elementContact, queryFilter, hit, castHit, impactHit, closest,
+  layoutEntry, pick, camera, contactProblem, solverOptions, residuals, massProperties, responseOptions, bodyOptions,
+  contactLaw, responseSide, linkOptions, responseContact, responseObject, responseIsland, energy, responseFinding };
 
 export const callbacks = {
   log: koffi.pointer(koffi.proto('void abut_log(void *context, uint32_t level, void *message)')),
@@ -381,6 +385,7 @@ export const prototypes = {
     'int32_t abut_parts_accelerations(abut_universe *universe, const abut_part_id *parts, size_t count, void *out)',
     'int32_t abut_universe_impacts(abut_universe *universe, _Out_ void **impacts, _Out_ size_t *count)',
     'int32_t abut_universe_advance_to_first_impact(abut_universe *universe, double dt, _Out_ abut_step_impact *out)',
+    'int32_t abut_universe_element_contacts(abut_universe *universe, _Out_ void **contacts, _Out_ size_t *count)',
     'int32_t abut_universe_attach(abut_universe *universe, const char *name)',
     'int32_t abut_universe_detach(abut_universe *universe, const char *name)',
     'void abut_query_filter_init(_Out_ abut_query_filter *filter, uint32_t struct_size)',

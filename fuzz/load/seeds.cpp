@@ -77,6 +77,14 @@ std::vector<Shape> shapes_of_many() {
   return shapes;
 }
 
+std::vector<std::uint8_t> body_of(const abut_universe* universe) {
+  std::size_t size = 0;
+  require(abut_universe_save(universe, nullptr, 0, &size));
+  std::vector<std::uint8_t> bytes(size);
+  require(abut_universe_save(universe, bytes.data(), bytes.size(), &size));
+  return without_head(bytes);
+}
+
 // Everything near everything, with what the caller may say about it.
 Seed seed_of(const std::string& name, const std::vector<Shape>& shapes, bool is_full) {
   abut_universe_options options;
@@ -122,18 +130,52 @@ Seed seed_of(const std::string& name, const std::vector<Shape>& shapes, bool is_
   require(abut_universe_step(universe, 0.01));
   // A change that no step has seen.
   require(abut_part_set_pose(universe, part, &identity));
-  std::size_t size = 0;
-  require(abut_universe_save(universe, nullptr, 0, &size));
-  std::vector<std::uint8_t> bytes(size);
-  require(abut_universe_save(universe, bytes.data(), bytes.size(), &size));
-  return {name, without_head(bytes)};
+  return {name, body_of(universe)};
+}
+
+// Two sheets that are near each other and themselves, one of which is fast and has moved since the last step.
+Seed seed_of_elements() {
+  constexpr std::array<double, 18> xyz{0, 0, 0, 1, 0, 0, 0, 1, 0, 0.2, 0.2, 0.1, 1.2, 0.2, 0.1, 0.2, 1.2, 0.2};
+  constexpr std::array<std::uint32_t, 6> triangles{0, 1, 2, 3, 4, 5};
+  abut_universe_options options;
+  abut_universe_options_init(&options, sizeof options);
+  options.tolerance_mode = ABUT_TOLERANCE_MARGIN;
+  abut_universe* universe = nullptr;
+  require(abut_universe_create(&options, &universe));
+  const Universe owner(universe);
+  abut_policy policy;
+  abut_policy_init(&policy, sizeof policy);
+  policy.detail = ABUT_DETAIL_ELEMENTS;
+  policy.tolerance = 0.3;
+  policy.contact_distance = policy.rest_distance = 0.05;
+  require(abut_policy_set(universe, 0, 0, &policy));
+  abut_geometry_id geometry{};
+  for (const abut_geometry_flags fast : {0U, ABUT_GEOMETRY_FAST + 0U}) {
+    abut_part_options place;
+    abut_part_options_init(&place, sizeof place);
+    place.pose.position.z = fast == 0 ? 0 : 0.25;
+    abut_part_id part{};
+    require(abut_part_create(universe, &place, &part));
+    abut_geometry_options its;
+    abut_geometry_options_init(&its, sizeof its);
+    its.flags = ABUT_GEOMETRY_SELF_PAIRS | fast;
+    const Shape sheet =
+        made([&](abut_shape** out) { return abut_mesh_create(xyz.data(), 6, triangles.data(), 2, nullptr, out); });
+    require(abut_geometry_create(universe, part, sheet.get(), &its, &geometry));
+  }
+  require(abut_universe_step(universe, 0.01));
+  require(abut_geometry_set_vertices(universe, geometry, 3, xyz.data(), 3));
+  require(abut_universe_step(universe, 0.01));
+  require(abut_geometry_set_vertices(universe, geometry, 0, xyz.data() + 9, 3));
+  return {"elements", body_of(universe)};
 }
 
 }  // namespace
 
 std::vector<Seed> seeds() {
   const std::vector<Shape> plain = plain_shapes(), many = shapes_of_many();
-  return {seed_of("plain", plain, false), seed_of("full", plain, true), seed_of("many", many, true)};
+  return {seed_of("plain", plain, false), seed_of("full", plain, true), seed_of("many", many, true),
+          seed_of_elements()};
 }
 
 }  // namespace load_fuzzing

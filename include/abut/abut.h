@@ -1944,8 +1944,11 @@ enum abut_detail_value ABUT_ENUM(uint32_t) {
   ABUT_DETAIL_MANIFOLD = 0, /**< all contacts */
   ABUT_DETAIL_POINT = 1,    /**< the deepest one */
   ABUT_DETAIL_BOX = 2,      /**< whether the boxes overlap: events without contacts */
-  ABUT_DETAIL_TOUCH = 3     /**< whether the shapes touch, as abut_universe_overlaps finds out: events without
+  ABUT_DETAIL_TOUCH = 3,    /**< whether the shapes touch, as abut_universe_overlaps finds out: events without
                                  contacts. The algorithm and the error bound of the policy have no effect */
+  ABUT_DETAIL_ELEMENTS = 4  /**< which vertices, edges and faces are near: element contacts and events, no contacts. See
+                                 abut_universe_element_contacts. A pair with a shape without triangles is treated as
+                                 with ABUT_DETAIL_MANIFOLD */
 };
 
 /** How the pairs of two tags are treated: their algorithm, precision and rate. */
@@ -1958,13 +1961,23 @@ typedef struct abut_policy {
                                  default 1 */
   double tolerance;         /**< of a pair; negative: the sum of both geometries; default -1 */
   double error_bound;       /**< as in abut_query_options; default 0 */
+  /* ABUT_DETAIL_ELEMENTS alone looks at the following fields; see abut_elements_options. */
+  abut_closest_method method; /**< default ABUT_CLOSEST_FEATURES */
+  abut_stencil_kinds kinds;   /**< which are told; default 0: those of the method */
+  abut_elements_flags flags;  /**< default 0 */
+  uint32_t reserved;          /**< zero */
+  double contact_distance;    /**< where the gap is 0, and how near is a first touch; not negative; default 0 */
+  double rest_distance;       /**< of a geometry with itself; not negative; default 0 */
+  double cone_angle;          /**< in [0, 1]; default 0 */
+  double cone_factor;         /**< in [0, 1]; default 0.5 */
 } abut_policy;
 
 ABUT_API void abut_policy_init(abut_policy *policy, uint32_t struct_size);
 
 /**
  * Sets how geometries of two tags (`tag_a` and `tag_b` are below 64) meet, in either order. `policy` may be null, which
- * goes back to the default. One broad phase serves all policies. [exclusive]
+ * goes back to the default. One broad phase serves all policies. ABUT_DETAIL_ELEMENTS is ABUT_UNSUPPORTED in a universe
+ * without ABUT_TOLERANCE_MARGIN, and in a build without the feature "deforming". [exclusive]
  */
 ABUT_API abut_status abut_policy_set(abut_universe *universe, uint32_t tag_a, uint32_t tag_b,
                                      const abut_policy *policy);
@@ -2131,8 +2144,8 @@ ABUT_API abut_status abut_universe_sleep_changes(const abut_universe *universe, 
                                                  size_t *count);
 
 /**
- * Hash of every bit of the contacts, events and sleep changes of the last step, but of generations and times: equal
- * runs have equal hashes. [const]
+ * Hash of every bit of the contacts, element contacts, events and sleep changes of the last step, but of generations
+ * and times: equal runs have equal hashes. [const]
  */
 ABUT_API abut_status abut_universe_hash(const abut_universe *universe, uint64_t *out);
 
@@ -2502,6 +2515,41 @@ ABUT_API abut_status abut_universe_advance_to_first_impact(abut_universe *univer
  * The pair is examined whenever the geometry moves or changes, as one job. Complexity O(n log n + contacts) for n
  * triangles or particles of about one size. A universe without the flag pays nothing.
  * --------------------------------------------------------------------------------------------- */
+
+/* ------------------------------------------------------------------------------------------------
+ * Element contacts: which vertices, edges and faces of two geometries are near or touch. docs/deformables.md
+ *
+ * A pair whose policy has ABUT_DETAIL_ELEMENTS, and whose shapes both have triangles, has element contacts in place of
+ * contacts. So has a mesh with ABUT_GEOMETRY_SELF_PAIRS, by the policy of its tag with itself.
+ *
+ *  - They are closest features within the tolerance of the pair, where the vertices are: what abut_elements_closest
+ *    tells. The pair touches while it has any; its events have no contacts.
+ *  - A pair with ABUT_GEOMETRY_FAST has first touches in steps with time: what abut_elements_first_touches tells. Each
+ *    vertex moves on a straight line in the world: from where it was in the last step with time to where it is now,
+ *    whether its mesh was edited or its part was moved. A geometry that is new starts where it is. Velocities are not
+ *    looked at. Features touch at the contact distance of the policy, at most the tolerance of the pair.
+ *  - The rest shape is the one that the first detection with such a policy sees, or the first one after
+ *    abut_geometry_set_shape.
+ *
+ * A pair of which nothing has moved or changed keeps its element contacts, at no cost. Islands and sleep do not look at
+ * them. Coordinates in the world beyond 1e50 have none. A universe without such a policy pays nothing.
+ * --------------------------------------------------------------------------------------------- */
+
+/** A vertex, edge or face of one geometry near one of another, or of the same geometry. 136 bytes. */
+typedef struct abut_element_contact {
+  abut_geometry_id geometry_a; /**< the one of the lower slot */
+  abut_geometry_id geometry_b; /**< the same one in a self pair */
+  abut_stencil stencil;        /**< in the world */
+  double gap;                  /**< the distance less the contact distance of the policy */
+  uint64_t id;                 /**< of the two features: from step to step the same, and unique within the pair */
+} abut_element_contact;
+
+/**
+ * Element contacts of the last step, ordered by the slots of the two geometries, then as abut_elements_closest or
+ * abut_elements_first_touches orders them. Borrowed until the next [exclusive] call. [const]
+ */
+ABUT_API abut_status abut_universe_element_contacts(const abut_universe *universe,
+                                                    const abut_element_contact **contacts, size_t *count);
 
 /* ------------------------------------------------------------------------------------------------
  * Extension libraries of a universe

@@ -69,6 +69,13 @@ void ElementBody::move(std::span<const Real> start, std::span<const Real> end) {
   box_ = box_of_vertices();
 }
 
+void ElementBody::move(std::span<const Vec3> start, std::span<const Vec3> end) {
+  fitted_reach_ = -1;
+  start_.assign(start.begin(), start.end());
+  end_.assign(end.begin(), end.end());
+  box_ = box_of_vertices();
+}
+
 void ElementBody::fit(const Vec3& origin, Real reach, const Workers& workers) {
   if (fitted_reach_ == reach && tree_.origin() == origin) {
     return;
@@ -76,6 +83,12 @@ void ElementBody::fit(const Vec3& origin, Real reach, const Workers& workers) {
   tree_.set_origin(origin);
   tree_.fit(start(), end(), reach, workers);
   fitted_reach_ = reach;
+}
+
+std::size_t ElementBody::bytes() const {
+  return sizeof(ElementBody) + (rest_.capacity() + start_.capacity() + end_.capacity()) * sizeof(Vec3) +
+         triangles_.capacity() * sizeof(std::uint32_t) + table_.bytes() + tree_.bytes() + around_vertices_.bytes() +
+         around_edges_.bytes();
 }
 
 bool are_near_at_rest(const ElementBody& body, std::uint32_t vertex, std::uint32_t face, Real distance) {

@@ -29,6 +29,8 @@ class FacesAround {
     visit([&](std::uint32_t element, std::uint32_t face) { faces_[--firsts_[element]] = face; });
   }
 
+  [[nodiscard]] std::size_t bytes() const { return (faces_.capacity() + firsts_.capacity()) * sizeof(std::uint32_t); }
+
  private:
   std::vector<std::uint32_t> faces_, firsts_{0};
 };
@@ -55,10 +57,12 @@ class ElementBody {
   // Around all vertices at both times.
   [[nodiscard]] const Aabb& box() const [[clang::lifetimebound]] { return box_; }
 
-  // Places as three numbers per vertex. Without an end they do not move.
+  // Places, or three numbers per vertex. Without an end they do not move.
   void move(std::span<const Real> start, std::span<const Real> end);
+  void move(std::span<const Vec3> start, std::span<const Vec3> end);
   // Fits the tree, unless it fits already.
   void fit(const Vec3& origin, Real reach, const Workers& workers);
+  [[nodiscard]] std::size_t bytes() const;
 
  private:
   [[nodiscard]] Aabb box_of_vertices() const;

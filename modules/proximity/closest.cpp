@@ -249,16 +249,16 @@ void ClosestFeatures::gather_edges() {
 
 // What is not the least gets a square that no stencil has.
 void ClosestFeatures::keep_least_of_faces(const ElementBody& a, const ElementBody& b) {
-  LeastOfFaces least;
+  least_.clear();
   for (std::size_t side = 0; side < 2; ++side) {
     for (const FaceStencil& its : grouped_.at(side).stencils) {
-      least.add_vertex(a, b, its.vertex, its.face, side == 1, its.square);
+      least_.add_vertex(a, b, its.vertex, its.face, side == 1, its.square);
     }
   }
   for (const EdgeStencil& its : edges_) {
-    least.add_edges(a, b, its.a, its.b, its.nearest.square);
+    least_.add_edges(a, b, its.a, its.b, its.nearest.square);
   }
-  const std::vector<bool> is_least = least.result();
+  const std::vector<bool>& is_least = least_.result();
   std::size_t place = 0;
   for (Grouped& grouped : grouped_) {
     for (FaceStencil& its : grouped.stencils) {
@@ -353,6 +353,18 @@ void ClosestFeatures::find(ElementBody& a, ElementBody& b, const ClosestOptions&
   }
   merge_vertices(&a == &b, out);
   tell_edges(a, b, options, out);
+}
+
+std::size_t ClosestFeatures::bytes() const {
+  std::size_t sum = found_.capacity() * sizeof(Found) + edges_.capacity() * sizeof(EdgeStencil) + least_.bytes();
+  for (const Found& its : found_) {
+    sum += (its.of_vertices[0].capacity() + its.of_vertices[1].capacity()) * sizeof(FaceStencil) +
+           its.edges.capacity() * sizeof(EdgeStencil) + its.stencils.capacity() * sizeof(Stencil);
+  }
+  for (const Grouped& its : grouped_) {
+    sum += its.stencils.capacity() * sizeof(FaceStencil) + its.firsts.capacity() * sizeof(std::uint32_t);
+  }
+  return sum;
 }
 
 }  // namespace abut

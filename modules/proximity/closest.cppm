@@ -9,6 +9,7 @@ import abut.elements.nearest;
 import abut.math;
 import abut.proximity.body;
 import abut.proximity.search.cones;
+import abut.proximity.search.least_of_faces;
 import abut.proximity.search;
 import abut.proximity.stencil;
 
@@ -38,6 +39,8 @@ class ClosestFeatures {
   // lower number is first. One mesh is given twice.
   void find(ElementBody& a, ElementBody& b, const ClosestOptions& options, const Workers& workers,
             std::vector<Stencil>& out);
+  // But for candidates, of which there are few at a time.
+  [[nodiscard]] std::size_t bytes() const;
 
  private:
   struct Found {
@@ -64,6 +67,7 @@ class ClosestFeatures {
   std::vector<Found> found_;  // by task
   std::array<Grouped, 2> grouped_;
   std::vector<EdgeStencil> edges_;
+  LeastOfFaces least_;
 };
 
 }  // namespace abut

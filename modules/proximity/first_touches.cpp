@@ -185,4 +185,12 @@ void FirstTouches::find(ElementBody& a, ElementBody& b, const FirstTouchOptions&
   std::ranges::sort(out, [](const Stencil& x, const Stencil& y) { return order_of(x) < order_of(y); });
 }
 
+std::size_t FirstTouches::bytes() const {
+  std::size_t sum = found_.capacity() * sizeof(std::vector<Stencil>);
+  for (const std::vector<Stencil>& its : found_) {
+    sum += its.capacity() * sizeof(Stencil);
+  }
+  return sum;
+}
+
 }  // namespace abut

@@ -24,6 +24,8 @@ class FirstTouches {
   // Each pair that touches occurs once, as it lies at its first touch. One mesh is given twice.
   void find(ElementBody& a, ElementBody& b, const FirstTouchOptions& options, const Workers& workers,
             std::vector<Stencil>& out);
+  // But for candidates, of which there are few at a time.
+  [[nodiscard]] std::size_t bytes() const;
 
  private:
   ElementSearch search_;

@@ -8,9 +8,11 @@ import abut.core.standard;
 import abut.core;
 import abut.detect.lists.contacts;
 import abut.detect.paths.continuous;
+import abut.detect.elements;
 import abut.detect.lists.events;
 import abut.detect.pairs.jobs;
 import abut.detect.pairs;
+import abut.detect.pairs.selection;
 import abut.detect.pairs.sides;
 import abut.math;
 import abut.scene.meetings;
@@ -23,7 +25,7 @@ namespace {
 // "abut-uni", lowest byte first.
 constexpr std::uint64_t mark = 0x696e752d74756261;
 // Grows whenever something is written that was not, or no more.
-constexpr std::uint32_t present_version = 4;
+constexpr std::uint32_t present_version = 5;
 constexpr std::size_t head_size = 24;
 
 struct Head {
@@ -112,7 +114,7 @@ std::vector<std::uint8_t> Universe::save() const {
   const auto locals = contacts_.locals();
   const auto events = events_.all();
   const auto impacts = impacts_.all();
-  body(step_, follows_islands_, islands_, sides_);
+  body(step_, follows_islands_, islands_, sides_, elements_);
   body(std::vector<Pair>(pairs.begin(), pairs.end()), contacts, std::vector<LocalPoints>(locals.begin(), locals.end()),
        std::vector<Event>(events.begin(), events.end()), std::vector<StepImpact>(impacts.begin(), impacts.end()));
   ByteWriter head;
@@ -143,11 +145,15 @@ Result<void> Universe::load(std::span<const std::uint8_t> bytes) {
   UniverseOptions options;
   in(options);
   Scene::load(in, workers_);
-  in(step_, follows_islands_, islands_, sides_);
+  in(step_, follows_islands_, islands_, sides_, elements_);
   if (!swept_places_.empty() && !follows_paths) {
     in.fail({Errc::unsupported, "a geometry is fast or speculative, and this build is without the feature \"motion\""});
   }
   in.require(in.has_failed() || sides_.is_right(places_), "a side is kept of no pair or triangle");
+  if (!finds_elements && meetings_.policies.tags_of_elements() != 0) {
+    in.fail({Errc::unsupported, "a policy asks for elements, and this build is without the feature \"deforming\""});
+  }
+  in.require(in.has_failed() || elements_.restore(places_, meetings_.policies), "an element contact is none");
   if (!in.has_failed()) {
     load_pairs(in);
   }
@@ -176,6 +182,9 @@ void Universe::load_pairs(ByteReader& in) {
     contacts += its.contact_count;
     its.run = static_cast<std::uint16_t>(run_of(its, places_.infos[its.low].kind, places_.infos[its.high].kind));
     its.is_supported = jobs_.is_supported(its.run);
+    if (!meetings_.must_ask_again) {
+      assign_policy(its, places_, meetings_.policies);
+    }
   }
   pairs_.restore(std::move(pairs));
   load_contacts(in, contacts);

@@ -9,6 +9,7 @@ import abut.core.workers;
 import abut.core;
 import abut.detect.lists.contacts;
 import abut.detect.paths.continuous;
+import abut.detect.elements;
 import abut.detect.lists.events;
 import abut.detect.lists.hash;
 import abut.detect.pairs.jobs;
@@ -88,6 +89,13 @@ void Universe::find_paths(Real dt) {
   }
 }
 
+// Pairs are merged anew where others may touch on the ways of vertices.
+void Universe::follow_elements(Real dt) {
+  if (elements_.follow(box_frame(), meetings_.policies, space_, changes_.fresh, dt > 0, places_)) {
+    space_.set_changed(true);
+  }
+}
+
 // At once, whatever the period: what the other policy has found may be less than this one asks for.
 void Universe::follow_focus() {
   focus_.follow(changes_.fresh, space_, places_);
@@ -96,8 +104,7 @@ void Universe::follow_focus() {
   }
   for (Pair& pair : pairs_.all()) {
     if (places_.has_happened(pair.low, happened_to_tag) || places_.has_happened(pair.high, happened_to_tag)) {
-      const PlaceInfo &low = places_.infos[pair.low], &high = places_.infos[pair.high];
-      pair.policy = static_cast<std::uint16_t>(meetings_.policies.number_of(low.tag, high.tag));
+      assign_policy(pair, places_, meetings_.policies);
       pair.is_stale = pair.is_new = true;
     }
   }
@@ -191,9 +198,10 @@ void Universe::run_stages(const Scope& scope) {
   update_space();
   find_pairs();
   find_paths(scope.dt);
+  follow_elements(scope.dt);
   stats_.broadphase_microseconds = watch.lap();
   if (space_.has_changed()) {
-    pairs_.merge(workers_, sweeps_.with(near_), places_.infos, changes_.are_slots_reused);
+    pairs_.merge(workers_, sweeps_.with(elements_.with(near_)), places_.infos, changes_.are_slots_reused);
     changes_.are_slots_reused = false;
     space_.set_changed(false);
   }
@@ -208,6 +216,7 @@ void Universe::run_stages(const Scope& scope) {
   find_manifolds(workers_, options_, meetings_.policies, places_, contacts_.histories(), is_timed, pairs_, sides_,
                  jobs_);
   sides_.settle(places_, pairs_.all());
+  elements_.run(workers_, meetings_.policies, places_, pairs_.all(), jobs_);
   seams_.run({options_, meetings_.policies, places_, contacts_.histories(), pairs_.all()}, jobs_);
   impacts_.run(workers_, {options_, meetings_.policies, places_, its_paths, sweeps_, contacts_.histories()},
                pairs_.all(), jobs_);
@@ -224,13 +233,15 @@ void Universe::run_stages(const Scope& scope) {
   count_everything(counts);
 }
 
-std::uint64_t Universe::hash() const { return hash_of(contacts(), local_points(), events(), sleep_.changes()); }
+std::uint64_t Universe::hash() const {
+  return elements_.hash_after(hash_of(contacts(), local_points(), events(), sleep_.changes()));
+}
 
 std::size_t Universe::bytes() const {
   return sizeof(Universe) + Scene::bytes() + spare_.bytes() + refresh_.bytes() + near_.capacity() * sizeof(ProxyPair) +
-         pairs_.bytes() + selection_.bytes() + jobs_.bytes() + sides_.bytes() + seams_.bytes() + sweeps_.bytes() +
-         impacts_.bytes() + contacts_.bytes() + events_.bytes() + island_links_.bytes() + islands_.bytes() +
-         dynamic_parts_.capacity() * sizeof(PartId);
+         pairs_.bytes() + selection_.bytes() + jobs_.bytes() + sides_.bytes() + seams_.bytes() + elements_.bytes() +
+         sweeps_.bytes() + impacts_.bytes() + contacts_.bytes() + events_.bytes() + island_links_.bytes() +
+         islands_.bytes() + dynamic_parts_.capacity() * sizeof(PartId);
 }
 
 Fault Universe::check_time(Real dt) const {

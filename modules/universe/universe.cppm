@@ -10,6 +10,7 @@ import abut.core.workers;
 import abut.core;
 import abut.detect.lists.contacts;
 import abut.detect.paths.continuous;
+export import abut.detect.elements;
 import abut.detect.lists.events;
 export import abut.detect.lists.islands;
 import abut.detect.pairs.jobs;
@@ -53,6 +54,9 @@ class Universe : public Scene {
   [[nodiscard]] std::span<const LocalPoints> local_points() const [[clang::lifetimebound]] {
     return contacts_.locals();
   }
+  // Of the pairs whose policy asks for elements.
+  [[nodiscard]] const ElementStage& elements() const [[clang::lifetimebound]] { return elements_; }
+  [[nodiscard]] ToleranceMode tolerance_mode() const { return options_.tolerance_mode; }
   [[nodiscard]] bool keeps_local_points() const { return options_.keeps_local_points; }
   // Why two geometries are not examined, as bits of ApartReason; 0 where they are, so that the distance of their shapes
   // decides. Options, rules and parking are the present ones, boxes those of the last refresh, and answers of the
@@ -104,6 +108,7 @@ class Universe : public Scene {
   void refresh_places();
   void find_paths(Real dt);
   void sweep(Real dt);
+  void follow_elements(Real dt);
   [[nodiscard]] Paths paths(Real dt) const { return {geometries_, velocities_, places_, dt}; }
   [[nodiscard]] StepImpact first_impact(Real dt);
   void move_along(Real dt, Real time);
@@ -135,6 +140,7 @@ class Universe : public Scene {
   JobList jobs_;
   SideStage sides_;
   SeamStage seams_;
+  ElementStage elements_;
   Sweeps sweeps_;
   bool had_paths_ = false;  // the last detection looked at paths
   ImpactStage impacts_;

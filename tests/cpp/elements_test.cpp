@@ -67,4 +67,35 @@ TEST(Elements, RefuseWhatIsWrong) {
   EXPECT_THROW(static_cast<void>(a.closest(abut::ElementsOptions().with_reach(-1))), abut::Error);
 }
 
+TEST(Elements, AreToldByAUniverse) {
+  abut::Universe universe = abut::Universe::create(abut::UniverseOptions().with_tolerance_mode(ABUT_TOLERANCE_MARGIN));
+  universe.set_policy(0, 0,
+                      abut::Policy()
+                          .with_detail(ABUT_DETAIL_ELEMENTS)
+                          .with_tolerance(1.5)
+                          .with_contact_distance(0.25)
+                          .with_method(ABUT_CLOSEST_OF_VERTICES)
+                          .with_kinds(1U << ABUT_STENCIL_VERTEX_FACE)
+                          .with_flags(ABUT_ELEMENTS_FRONTS_ONLY)
+                          .with_rest_distance(0.5)
+                          .with_cone_angle(0.125)
+                          .with_cone_factor(1));
+  const abut::Policy policy = universe.policy(0, 0);
+  EXPECT_EQ(policy.method, abut_closest_method{ABUT_CLOSEST_OF_VERTICES});
+  EXPECT_EQ(policy.kinds, 1U);
+  EXPECT_EQ(policy.flags, abut_elements_flags{ABUT_ELEMENTS_FRONTS_ONLY});
+  EXPECT_EQ(policy.rest_distance, 0.5);
+  EXPECT_EQ(policy.cone_angle, 0.125);
+  EXPECT_EQ(policy.cone_factor, 1);
+  for (const auto* const xyz : {&square, &tip}) {
+    universe.create_geometry(universe.create_part(), abut::Shape::mesh(*xyz, {{0, 1, 2}}));
+  }
+  universe.step(0);
+  const abut::Span<const abut::ElementContact> contacts = universe.element_contacts();
+  ASSERT_EQ(contacts.size(), 1U);
+  EXPECT_EQ(contacts[0].stencil.distance, 1);
+  EXPECT_EQ(contacts[0].gap, 0.75);
+  EXPECT_TRUE(universe.contacts().empty());
+}
+
 }  // namespace

@@ -55,7 +55,7 @@ LAYERS = [
     ("scene", "scene/state", "scene/meetings", "scene/rest"),
     ("detect/pairs",),
     ("detect/lists",),
-    ("queries", "report", "detect/paths"),
+    ("queries", "report", "detect", "detect/paths"),
     ("universe",),
     ("picking", "picking/tracer", "picking/view", "response", "response/bodies", "response/manager", "response/report",
      "response/solver", "response/steps", "gpu"),

@@ -190,7 +190,7 @@ namespace Abut
     /// <summary>How much of a pair is found.</summary>
     public enum Detail : uint
     {
-        Manifold = 0, Point = 1, Box = 2, Touch = 3
+        Manifold = 0, Point = 1, Box = 2, Touch = 3, Elements = 4
     }
 
     public enum EventKind : uint
@@ -771,6 +771,14 @@ namespace Abut
         public uint Period;
         public double Tolerance;
         public double ErrorBound;
+        public ClosestMethod Method;
+        public uint Kinds;
+        public ElementsFlags Flags;
+        private readonly uint reserved;
+        public double ContactDistance;
+        public double RestDistance;
+        public double ConeAngle;
+        public double ConeFactor;
     }
 
     /// <summary>Two tags that follow the distance of geometries from centres, such as those of a camera and of what is held</summary>
@@ -908,6 +916,17 @@ namespace Abut
         public uint ContactCount;
         public uint IsUndecided;
         private readonly uint reserved;
+    }
+
+    /// <summary>A vertex, edge or face of one geometry near one of another, or of the same geometry.</summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public partial struct ElementContact
+    {
+        public GeometryId GeometryA;
+        public GeometryId GeometryB;
+        public Stencil Stencil;
+        public double Gap;
+        public ulong Id;
     }
 
     /// <summary>Which geometries a query looks at</summary>
@@ -1403,6 +1422,7 @@ namespace Abut
         [DllImport("abut")] internal static extern Status abut_parts_accelerations(Universe universe, PartId[] parts, UIntPtr count, [Out] Acceleration[] @out);
         [DllImport("abut")] internal static extern Status abut_universe_impacts(Universe universe, out IntPtr impacts, out UIntPtr count);
         [DllImport("abut")] internal static extern Status abut_universe_advance_to_first_impact(Universe universe, double dt, out StepImpact @out);
+        [DllImport("abut")] internal static extern Status abut_universe_element_contacts(Universe universe, out IntPtr contacts, out UIntPtr count);
         [DllImport("abut")] internal static extern Status abut_universe_attach(Universe universe, string name);
         [DllImport("abut")] internal static extern Status abut_universe_detach(Universe universe, string name);
         [DllImport("abut")] internal static extern void abut_query_filter_init(out QueryFilter filter, uint structSize);
@@ -1520,7 +1540,7 @@ namespace Abut
             { typeof(GeometryInfo), 200 },
             { typeof(Revision), 16 },
             { typeof(Collidable), 12 },
-            { typeof(Policy), 32 },
+            { typeof(Policy), 80 },
             { typeof(Focus), 32 },
             { typeof(ContactMaterial), 96 },
             { typeof(Event), 40 },
@@ -1532,6 +1552,7 @@ namespace Abut
             { typeof(Velocity), 48 },
             { typeof(Acceleration), 48 },
             { typeof(StepImpact), 48 },
+            { typeof(ElementContact), 136 },
             { typeof(QueryFilter), 48 },
             { typeof(Hit), 80 },
             { typeof(CastHit), 144 },

@@ -48,6 +48,21 @@ class Elements(unittest.TestCase):
         self.assertEqual([(each.edge, each.face, each.edge_is_of_b) for each in self.ground.crossings(self.tip)],
                          [(0, 0, 1), (1, 0, 1)])
 
+    def test_universe(self):
+        with abut.Universe(tolerance_mode=c.TOLERANCE_MARGIN) as universe:
+            universe.set_policy(0, 0, detail=c.DETAIL_ELEMENTS, tolerance=1.5, contact_distance=0.25)
+            ids = []
+            for xyz in (GROUND, TIP):
+                with abut.Shape.mesh(xyz, FACE) as shape:
+                    ids.append(universe.add_geometry(universe.add_part(), shape))
+            universe.step(0)
+            found = universe.element_contacts()
+            self.assertEqual(len(found), 1)
+            self.assertEqual((found[0].geometry_a, found[0].geometry_b), tuple(ids))
+            self.assertEqual((found[0].stencil.distance, found[0].gap), (1, 0.75))
+            self.assertEqual(universe.borrow_element_contacts()[0].id, found[0].id)
+            self.assertEqual(len(universe.contacts()), 0)
+
     def test_refuses(self):
         with self.assertRaises(abut.Error):
             self.tip.set_vertices(TIP[:6])

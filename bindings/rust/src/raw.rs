@@ -637,6 +637,7 @@ pub const ABUT_DETAIL_MANIFOLD: abut_detail = 0;
 pub const ABUT_DETAIL_POINT: abut_detail = 1;
 pub const ABUT_DETAIL_BOX: abut_detail = 2;
 pub const ABUT_DETAIL_TOUCH: abut_detail = 3;
+pub const ABUT_DETAIL_ELEMENTS: abut_detail = 4;
 #[repr(C)]
 #[derive(Debug, Default, Copy, Clone)]
 pub struct abut_policy {
@@ -646,8 +647,16 @@ pub struct abut_policy {
     pub period: u32,
     pub tolerance: f64,
     pub error_bound: f64,
+    pub method: abut_closest_method,
+    pub kinds: abut_stencil_kinds,
+    pub flags: abut_elements_flags,
+    pub reserved: u32,
+    pub contact_distance: f64,
+    pub rest_distance: f64,
+    pub cone_angle: f64,
+    pub cone_factor: f64,
 }
-const _: [(); 32] = [(); ::std::mem::size_of::<abut_policy>()];
+const _: [(); 80] = [(); ::std::mem::size_of::<abut_policy>()];
 #[repr(C)]
 #[derive(Debug, Default, Copy, Clone)]
 pub struct abut_focus {
@@ -819,6 +828,16 @@ pub struct abut_step_impact {
     pub reserved: u32,
 }
 const _: [(); 48] = [(); ::std::mem::size_of::<abut_step_impact>()];
+#[repr(C)]
+#[derive(Debug, Default, Copy, Clone)]
+pub struct abut_element_contact {
+    pub geometry_a: abut_geometry_id,
+    pub geometry_b: abut_geometry_id,
+    pub stencil: abut_stencil,
+    pub gap: f64,
+    pub id: u64,
+}
+const _: [(); 136] = [(); ::std::mem::size_of::<abut_element_contact>()];
 pub type abut_query_filter_flags = u32;
 pub const ABUT_QUERY_FILTER_SKIP_SENSORS: abut_query_filter_flags = 1;
 pub type abut_ray_start = u32;
@@ -1091,6 +1110,7 @@ extern "C" {
     pub fn abut_parts_accelerations(universe: *const abut_universe, parts: *const abut_part_id, count: usize, out: *mut abut_acceleration) -> abut_status;
     pub fn abut_universe_impacts(universe: *const abut_universe, impacts: *mut *const abut_step_impact, count: *mut usize) -> abut_status;
     pub fn abut_universe_advance_to_first_impact(universe: *mut abut_universe, dt: f64, out: *mut abut_step_impact) -> abut_status;
+    pub fn abut_universe_element_contacts(universe: *const abut_universe, contacts: *mut *const abut_element_contact, count: *mut usize) -> abut_status;
     pub fn abut_universe_attach(universe: *const abut_universe, name: *const ::std::os::raw::c_char) -> abut_status;
     pub fn abut_universe_detach(universe: *const abut_universe, name: *const ::std::os::raw::c_char) -> abut_status;
     pub fn abut_query_filter_init(filter: *mut abut_query_filter, struct_size: u32);

@@ -150,6 +150,14 @@ struct Policy : Defaulted<Policy, abut_policy, abut_policy_init> {
   [[nodiscard]] Policy with_period(std::uint32_t value) const { return with(&C::period, value); }
   [[nodiscard]] Policy with_tolerance(double value) const { return with(&C::tolerance, value); }
   [[nodiscard]] Policy with_error_bound(double value) const { return with(&C::error_bound, value); }
+  // The following are looked at for ABUT_DETAIL_ELEMENTS alone.
+  [[nodiscard]] Policy with_method(ClosestMethod value) const { return with(&C::method, value); }
+  [[nodiscard]] Policy with_kinds(abut_stencil_kinds value) const { return with(&C::kinds, value); }
+  [[nodiscard]] Policy with_flags(abut_elements_flags value) const { return with(&C::flags, value); }
+  [[nodiscard]] Policy with_contact_distance(double value) const { return with(&C::contact_distance, value); }
+  [[nodiscard]] Policy with_rest_distance(double value) const { return with(&C::rest_distance, value); }
+  [[nodiscard]] Policy with_cone_angle(double value) const { return with(&C::cone_angle, value); }
+  [[nodiscard]] Policy with_cone_factor(double value) const { return with(&C::cone_factor, value); }
 };
 
 struct Focus : Defaulted<Focus, abut_focus, abut_focus_init> {

@@ -39,6 +39,11 @@ class UniverseSteps : public UniverseRules {
   Answer<Span<const Contact>> contacts() const&& = delete;
   [[nodiscard]] Answer<Span<const LocalPoints>> local_points() const& { return borrow(abut_universe_local_points); }
   Answer<Span<const LocalPoints>> local_points() const&& = delete;
+  // Of pairs whose policy has ABUT_DETAIL_ELEMENTS.
+  [[nodiscard]] Answer<Span<const ElementContact>> element_contacts() const& {
+    return borrow(abut_universe_element_contacts);
+  }
+  Answer<Span<const ElementContact>> element_contacts() const&& = delete;
   [[nodiscard]] Answer<Span<const Event>> events() const& { return borrow(abut_universe_events); }
   Answer<Span<const Event>> events() const&& = delete;
   [[nodiscard]] Answer<Span<const StepImpact>> impacts() const& { return borrow(abut_universe_impacts); }

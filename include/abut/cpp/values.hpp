@@ -51,6 +51,7 @@ using Closest = abut_closest;
 using Contact = abut_contact;
 using Crossing = abut_crossing;
 using Distance = abut_distance;
+using ElementContact = abut_element_contact;
 using ElementCounts = abut_element_counts;
 using ElementPair = abut_element_pair;
 using Event = abut_event;

@@ -153,7 +153,7 @@ void ContactList::move_all_kept(std::span<Pair> pairs) {
 void ContactList::time_kinds(const JobList& jobs) {
   for (std::size_t chunk = 0; chunk < jobs.chunks().size(); ++chunk) {
     const std::size_t run = jobs.chunks()[chunk].run;
-    if (run == path_run) {
+    if (run >= path_run) {
       continue;
     }
     KindTally& tally = tallies_[run];

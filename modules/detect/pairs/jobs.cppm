@@ -43,7 +43,9 @@ inline constexpr std::size_t run_count = pair_run_count + shape_kind_count;
 [[nodiscard]] inline constexpr bool is_self_run(std::size_t run) { return !is_pair_run(run) && run < run_count; }
 // Jobs of all kinds that the narrow phase leaves to the impacts.
 inline constexpr std::size_t path_run = run_count;
-inline constexpr std::size_t job_run_count = run_count + 1;
+// Jobs of all kinds that it leaves to the element stage.
+inline constexpr std::size_t element_run = run_count + 1;
+inline constexpr std::size_t job_run_count = run_count + 2;
 [[nodiscard]] inline std::size_t run_of(const Pair& pair, std::size_t kind_low, std::size_t kind_high) {
   if (is_self_pair(pair)) {
     return self_run_of(kind_low);
@@ -95,7 +97,8 @@ class JobList {
     return std::span(counts_).subspan(task * run_counts_, run_counts_);
   }
   [[nodiscard]] static inline std::size_t run_of_pair(const Pair& pair) {
-    return pair.policy * job_run_count + (pair.is_on_path ? path_run : pair.run);
+    const std::size_t run = pair.is_on_path ? path_run : pair.run;
+    return pair.policy * job_run_count + (pair.is_by_elements ? element_run : run);
   }
   void arrange(const Workers& workers, const Cuts& cuts, std::span<Pair> pairs, std::span<const PlaceInfo> infos,
                const PolicyTable& policies, ToleranceMode mode);

@@ -104,7 +104,7 @@ void find_in_chunk(std::size_t number, const UniverseOptions& options, const Pol
   const QuerySettings settings{
       .algorithm = policy.algorithm, .error_bound = policy.error_bound, .welds = options.welds};
   scratch.points.clear();
-  if (chunk.run == path_run) {
+  if (chunk.run >= path_run) {
     for (std::uint32_t job = chunk.begin; job < chunk.end; ++job) {
       jobs.result(job) = {static_cast<std::uint32_t>(number), 0, 0};
     }

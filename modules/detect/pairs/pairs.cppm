@@ -21,6 +21,7 @@ export namespace abut {
 // - is_bearing: the sleep stage.
 // - is_on_path: set before the selection by the impacts, of what they answer without contacts of present poses; cleared
 //   by them.
+// - is_by_elements: whenever the pair gets its policy.
 struct Pair {
   std::uint32_t low, high;                             // places; low is less, or both are a geometry that meets itself
   std::uint32_t generation_low, generation_high;       // of the ids that live there
@@ -41,6 +42,7 @@ struct Pair {
   bool is_sensor : 1 = false;
   bool is_bearing : 1 = false;  // had contacts, without a sensor, when sleep was last looked at
   bool is_on_path : 1 = false;  // no contacts of its present poses are wanted
+  bool is_by_elements : 1 = false;
 
   // What does not follow from the rest of the universe. Memories only spare searches: a pair that is read has none.
   template <class Archive, class Self>
@@ -62,6 +64,11 @@ struct Pair {
 inline constexpr std::uint32_t no_job = 0xffffffff;
 
 [[nodiscard]] inline bool is_self_pair(const Pair& pair) { return pair.low == pair.high; }
+
+// Whether a pair by elements looks at the ways of vertices, in steps with time.
+[[nodiscard]] inline bool follows_vertices(const Pair& pair, std::span<const PlaceInfo> infos) {
+  return infos[pair.low].sweeping == Sweeping::impacts || infos[pair.high].sweeping == Sweeping::impacts;
+}
 
 // Whether one side may carry the other: what sensors meet, what is only seen as boxes, and what meets itself holds
 // nothing.

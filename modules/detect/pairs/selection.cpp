@@ -5,6 +5,7 @@ import abut.broadphase.kept.pair_order;
 import abut.core.standard;
 import abut.core.workers;
 import abut.core;
+import abut.detect.elements;
 import abut.detect.pairs.jobs;
 import abut.detect.pairs;
 import abut.math;
@@ -50,7 +51,7 @@ void renew_pair(Pair& pair, bool is_reshaped, const Places& places, const Meetin
   pair.run = static_cast<std::uint16_t>(run_of(pair, low.kind, high.kind));
   pair.is_supported = jobs.is_supported(pair.run);
   pair.is_sensor = low.is_sensor || high.is_sensor;
-  pair.policy = static_cast<std::uint16_t>(meetings.policies.number_of(low.tag, high.tag));
+  assign_policy(pair, places, meetings.policies);
   pair.is_new = pair.is_new || is_reshaped || (pair.is_admitted && !was_admitted);
   pair.is_stale = true;
 }
@@ -95,15 +96,29 @@ void update_pair(Pair& pair, const Scope& scope, const Places& places, std::span
     return;
   }
   pair.is_covered = is_covered(pair, scope, places);
-  const bool is_on_path = (happened & happened_on_path) != 0 && !is_self_pair(pair);
-  pair.is_stale = pair.is_stale || is_on_path || has_changed_for(pair.low, pair.high, places, patches) ||
+  bool is_followed = (happened & happened_on_path) != 0 && !is_self_pair(pair);
+  if (pair.is_by_elements) [[unlikely]] {
+    // Vertices that are elsewhere than the box of the other one may have passed it.
+    const bool is_fast = follows_vertices(pair, places.infos);
+    is_followed = is_fast && scope.dt > 0;
+    pair.is_stale = pair.is_stale || (is_fast && (happened & (happened_on_way | happened_to_box)) != 0);
+  }
+  pair.is_stale = pair.is_stale || (is_followed && !pair.is_by_elements) ||
+                  has_changed_for(pair.low, pair.high, places, patches) ||
                   has_changed_for(pair.high, pair.low, places, patches) || scope.coverage == Coverage::everything;
   if (pair.is_stale && pair.is_covered) {
-    choose_detail(pair, is_on_path, scope, meetings.policies.at(pair.policy));
+    choose_detail(pair, is_followed, scope, meetings.policies.at(pair.policy));
   }
 }
 
 }  // namespace
+
+void assign_policy(Pair& pair, const Places& places, const PolicyTable& policies) {
+  const PlaceInfo &low = places.infos[pair.low], &high = places.infos[pair.high];
+  pair.policy = static_cast<std::uint16_t>(policies.number_of(low.tag, high.tag));
+  pair.is_by_elements =
+      policies.at(pair.policy).detail == Detail::elements && has_elements(low.kind) && has_elements(high.kind);
+}
 
 // From the back, so that none is written over before it has gone.
 void add_self_pairs(std::span<const std::uint32_t> places, const Space& space, std::vector<ProxyPair>& near) {

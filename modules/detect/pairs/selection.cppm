@@ -10,6 +10,7 @@ import abut.math;
 import abut.scene.meetings;
 import abut.scene.state.options;
 import abut.scene.state.places;
+import abut.scene.meetings.policies;
 import abut.scene.state.space;
 
 export namespace abut {
@@ -26,6 +27,9 @@ struct Scope {
 
 // The geometries that meet themselves, by their places in order, among the pairs that the broad phase has found.
 void add_self_pairs(std::span<const std::uint32_t> places, const Space& space, std::vector<ProxyPair>& near);
+
+// Gives a pair the policy of its tags.
+void assign_policy(Pair& pair, const Places& places, const PolicyTable& policies);
 
 class Selection {
  public:

@@ -195,7 +195,7 @@ void ImpactStage::run(const Workers& workers, const PathScene& scene, std::span<
     pairs[its.pair].is_on_path = false;
     its.job = pairs[its.pair].job;
   }
-  std::erase_if(ahead_, [](const Ahead& its) { return its.job == no_job; });
+  std::erase_if(ahead_, [&](const Ahead& its) { return its.job == no_job || pairs[its.pair].is_by_elements; });
   const std::size_t blocks = (ahead_.size() + pairs_of_block - 1) / pairs_of_block;
   const std::size_t first = jobs.add_scratch(blocks);
   touches_.resize(std::max(touches_.size(), blocks));

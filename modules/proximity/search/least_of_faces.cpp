@@ -48,22 +48,22 @@ void LeastOfFaces::add_edges(const ElementBody& a, const ElementBody& b, std::ui
   ++count_;
 }
 
-std::vector<bool> LeastOfFaces::result() {
+const std::vector<bool>& LeastOfFaces::result() {
   constexpr Real tie = 1 + 2e-9;  // of squares
   std::ranges::sort(entries_, [](const Entry& x, const Entry& y) {
     return std::tie(x.faces, x.square, x.number) < std::tie(y.faces, y.square, y.number);
   });
-  std::vector<bool> is_least(count_);
+  is_least_.assign(count_, false);
   Real least = 0;
   for (std::size_t i = 0; i < entries_.size(); ++i) {
     if (i == 0 || entries_[i].faces != entries_[i - 1].faces) {
       least = entries_[i].square;
     }
     if (entries_[i].square <= tie * least) {
-      is_least[entries_[i].number] = true;
+      is_least_[entries_[i].number] = true;
     }
   }
-  return is_least;
+  return is_least_;
 }
 
 }  // namespace abut

@@ -31,7 +31,27 @@ void PolicyTable::set(std::uint32_t tag_a, std::uint32_t tag_b, const Policy& po
   for (const Policy& its : policies_) {
     largest_tolerance_ = std::max(largest_tolerance_, its.tolerance);
   }
+  tags_of_elements_ = find_tags_of_elements();
 }
+
+std::uint64_t PolicyTable::find_tags_of_elements() const {
+  std::uint64_t tags = 0;
+  for (std::size_t cell = 0; cell < numbers_.size(); ++cell) {
+    if (policies_[numbers_[cell]].detail == Detail::elements) {
+      tags |= std::uint64_t{1} << cell / tag_count;
+    }
+  }
+  return tags;
+}
+
+namespace {
+
+Fault check_share(std::string_view name, Real value) {
+  Fault fault = check_not_negative(name, value);
+  return fault || value <= 1 ? fault : error_about(Errc::out_of_range, name, value, "at most 1");
+}
+
+}  // namespace
 
 Fault check_policy(const Policy& policy) {
   if (policy.period == 0) {
@@ -40,13 +60,20 @@ Fault check_policy(const Policy& policy) {
   if (Fault fault = check_finite("tolerance", policy.tolerance)) {
     return fault;
   }
-  return check_not_negative("error_bound", policy.error_bound);
+  const ElementRule& its = policy.elements;
+  Fault fault = check_not_negative("error_bound", policy.error_bound);
+  fault = fault ? fault : check_not_negative("contact_distance", its.contact_distance);
+  fault = fault ? fault : check_not_negative("rest_distance", its.rest_distance);
+  fault = fault ? fault : check_share("cone_angle", its.cone_angle);
+  return fault ? fault : check_share("cone_factor", its.cone_factor);
 }
 
 bool PolicyTable::is_whole() const {
   constexpr std::size_t most = std::size_t{tag_count} * tag_count;
   const auto is_policy = [](const Policy& its) {
-    return its.algorithm <= Algorithm::libccd_mpr && its.detail <= Detail::touch && !check_policy(its);
+    constexpr std::uint32_t last_method = 4, all_kinds = 15;
+    return its.algorithm <= Algorithm::libccd_mpr && its.detail <= Detail::elements &&
+           its.elements.method <= last_method && its.elements.kinds <= all_kinds && !check_policy(its);
   };
   const bool has_numbers = numbers_.empty() || numbers_.size() == std::size_t{tag_count} * tag_count;
   return has_numbers && !policies_.empty() && policies_.size() <= most && std::ranges::all_of(policies_, is_policy) &&

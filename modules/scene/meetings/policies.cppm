@@ -24,6 +24,8 @@ class PolicyTable {
     return policies_[number_of(tag_a, tag_b)];
   }
   [[nodiscard]] inline std::size_t size() const { return policies_.size(); }
+  // A bit for each tag that has Detail::elements with another one or with itself.
+  [[nodiscard]] inline std::uint64_t tags_of_elements() const { return tags_of_elements_; }
   // Zero where all policies leave tolerances to the geometries.
   [[nodiscard]] inline Real largest_tolerance() const { return largest_tolerance_; }
   [[nodiscard]] inline std::size_t bytes() const {
@@ -35,16 +37,19 @@ class PolicyTable {
     archive(self.numbers_, self.policies_, self.largest_tolerance_);
     if constexpr (Archive::is_reading) {
       archive.require(self.is_whole(), "a policy is none");
+      self.tags_of_elements_ = archive.has_failed() ? 0 : self.find_tags_of_elements();
     }
   }
 
  private:
   // Whether what was read is what `set` may have made.
   [[nodiscard]] bool is_whole() const;
+  [[nodiscard]] std::uint64_t find_tags_of_elements() const;
 
   std::vector<std::uint32_t> numbers_;  // empty while all pairs of tags have the default
   std::vector<Policy> policies_{Policy{}};
   Real largest_tolerance_ = 0;
+  std::uint64_t tags_of_elements_ = 0;
 };
 
 // The first number of a policy that is not one that it may have.

@@ -185,6 +185,18 @@ enum class Detail : std::uint32_t {
   point,     // the deepest contact
   box,       // whether the boxes overlap: events, no contacts
   touch,     // whether the shapes touch: events, no contacts
+  elements,  // which vertices, edges and faces are near, where both shapes have triangles; else everything
+};
+
+// What Detail::elements tells: numbers of ClosestOptions, which not every build has.
+struct ElementRule {
+  std::uint32_t method = 0, kinds = 0;
+  bool is_front_only = false;
+  Real contact_distance = 0;  // where the gap is zero, and how near a first touch is
+  Real rest_distance = 0;
+  Real cone_angle = 0, cone_factor = 0.5;
+
+  friend constexpr bool operator==(const ElementRule&, const ElementRule&) = default;
 };
 
 // How the pairs of two tags are treated.
@@ -194,6 +206,7 @@ struct Policy {
   std::uint32_t period = 1;  // found anew once in so many steps, and kept in between
   Real tolerance = -1;       // of the pair; negative: the sum of both
   Real error_bound = 0;      // as in QuerySettings
+  ElementRule elements = {};
 
   friend constexpr bool operator==(const Policy&, const Policy&) = default;
 };

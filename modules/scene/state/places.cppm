@@ -20,6 +20,8 @@ inline constexpr std::uint32_t no_patch = 0xffffffff;
 // - happened_to_surface: set by edit_shapes; the selection empties the memory.
 // - happened_to_tag: set by the focus and cleared at the end of that stage; pairs get another policy.
 // - happened_on_path: set by the sweeps, of what they look at, and cleared at the end of the detection.
+// - happened_on_way: set and cleared by the element stage, of what moves within the step or did so in the one before.
+//   It is also set where detections with time and without follow each other.
 enum Happened : std::uint8_t {
   happened_to_box = 1,
   happened_to_filters = 2,
@@ -27,6 +29,7 @@ enum Happened : std::uint8_t {
   happened_to_surface = 8,
   happened_to_tag = 16,
   happened_on_path = 32,
+  happened_on_way = 64,
 };
 
 // What pairs, rules and queries ask about a geometry: one cache line.

@@ -19,6 +19,14 @@ TEST(PolicyInit, FillsInTheDefaults) {
   EXPECT_EQ(policy.value().period, 1U);
   EXPECT_EQ(policy.value().tolerance, -1.0);
   EXPECT_EQ(policy.value().error_bound, 0.0);
+  EXPECT_EQ(policy.value().method, abut_closest_method{ABUT_CLOSEST_FEATURES});
+  EXPECT_EQ(policy.value().kinds, 0U);
+  EXPECT_EQ(policy.value().flags, 0U);
+  EXPECT_EQ(policy.value().reserved, 0U);
+  EXPECT_EQ(policy.value().contact_distance, 0.0);
+  EXPECT_EQ(policy.value().rest_distance, 0.0);
+  EXPECT_EQ(policy.value().cone_angle, 0.0);
+  EXPECT_EQ(policy.value().cone_factor, 0.5);
 }
 
 TEST(PolicySet, RefusesTagsThatAreNone) {
@@ -46,6 +54,23 @@ TEST(PolicySet, RefusesUnknownValues) {
     EXPECT_TRUE(
         refused(abut_policy_set(scene.universe, 0, 1, &policy), ABUT_UNKNOWN_VALUE, {"detail", std::to_string(value)}));
   }
+  EXPECT_TRUE(scene.is_unchanged());
+}
+
+TEST(PolicySet, RefusesElementsWithoutAMargin) {
+  const Scene scene;
+  abut_policy policy = default_policy();
+  policy.detail = ABUT_DETAIL_ELEMENTS;
+  EXPECT_TRUE(refused(abut_policy_set(scene.universe, 0, 1, &policy), ABUT_UNSUPPORTED,
+                      {"policy.detail", "4", "ABUT_TOLERANCE_MARGIN"}));
+  EXPECT_TRUE(scene.is_unchanged());
+}
+
+TEST(PolicySet, RefusesKindsThatAreNone) {
+  const Scene scene;
+  abut_policy policy = default_policy();
+  policy.kinds = 16;
+  EXPECT_TRUE(refused(abut_policy_set(scene.universe, 0, 1, &policy), ABUT_UNKNOWN_VALUE, {"policy.kinds", "16"}));
   EXPECT_TRUE(scene.is_unchanged());
 }
 

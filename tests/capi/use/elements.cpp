@@ -6,30 +6,6 @@ namespace {
 
 using namespace abut_test;
 
-// What a stencil is of: vertices of a, then those of b, each sorted.
-using Features = std::pair<std::vector<std::uint32_t>, std::vector<std::uint32_t>>;
-using Told = std::map<Features, double>;  // to the distance
-
-std::size_t vertex_count_of(abut_stencil_kind kind) {
-  return kind == ABUT_STENCIL_VERTEX_VERTEX ? 2 : kind == ABUT_STENCIL_VERTEX_EDGE ? 3 : 4;
-}
-Features features_of(const abut_stencil& its) {
-  Features out;
-  for (std::size_t i = 0; i < vertex_count_of(its.kind); ++i) {
-    (i < its.of_a ? out.first : out.second).push_back(its.vertices[i]);
-  }
-  std::sort(out.first.begin(), out.first.end());
-  std::sort(out.second.begin(), out.second.end());
-  return out;
-}
-Told told(const std::vector<abut_stencil>& stencils) {
-  Told out;
-  for (const abut_stencil& its : stencils) {
-    EXPECT_TRUE(out.emplace(features_of(its), its.distance).second) << "told twice";
-  }
-  return out;
-}
-
 // Weights, normal and distance say the same, and it is the distance of the two features.
 void expect_consistent(const abut_stencil& its, const Surface& a, const Surface& b) {
   Wide3 way{};
@@ -49,58 +25,6 @@ void expect_consistent(const abut_stencil& its, const Surface& a, const Surface&
   EXPECT_NEAR(double(length(normal)), 1, 1e-14);
   EXPECT_NEAR(double(length(way - along({}, normal, its.distance))), 0, 1e-13);
   EXPECT_EQ(its.toi, 0);
-}
-
-// All pairs of a vertex and a face with no vertex in common, of one mesh or of two.
-struct NearVertex {
-  Features features;
-  std::uint32_t vertex;
-  bool is_of_b;
-  Wide distance;
-  std::vector<std::uint32_t> feature;  // that is near it
-};
-std::vector<NearVertex> near_vertices(const Surface& a, const Surface& b, double reach) {
-  std::vector<NearVertex> out;
-  const bool is_one = &a == &b;
-  for (const bool is_of_b : {false, true}) {
-    const Surface &own = is_of_b ? b : a, &other = is_of_b ? a : b;
-    for (std::uint32_t vertex = 0; vertex < own.vertex_count() && !(is_one && is_of_b); ++vertex) {
-      for (std::uint32_t face = 0; face < other.face_count(); ++face) {
-        if (!other.is_face(face) || (is_one && have_common(std::array{vertex}, other.face(face)))) continue;
-        const ClosestFeature its = closest_on_face(own.vertex(vertex), other, face);
-        if (its.distance > reach) continue;
-        Features features = is_of_b ? Features{its.vertices, {vertex}} : Features{{vertex}, its.vertices};
-        // Two vertices are told once.
-        if (is_one && its.vertices.size() == 1 && its.vertices[0] < vertex) std::swap(features.first, features.second);
-        out.push_back({features, vertex, is_of_b, its.distance, its.vertices});
-      }
-    }
-  }
-  return out;
-}
-Told near_edges(const Surface& a, const Surface& b, double reach) {
-  Told out;
-  const auto edges_a = a.edges(), edges_b = b.edges();
-  for (std::size_t i = 0; i < edges_a.size(); ++i) {
-    for (std::size_t j = &a == &b ? i + 1 : 0; j < edges_b.size(); ++j) {
-      if (&a == &b && have_common(edges_a[i], edges_b[j])) continue;
-      const auto distance = distance_inside_edges(a, edges_a[i], b, edges_b[j]);
-      if (!distance || *distance > reach) continue;
-      out[{{edges_a[i].begin(), edges_a[i].end()}, {edges_b[j].begin(), edges_b[j].end()}}] = double(*distance);
-    }
-  }
-  return out;
-}
-void expect_same(const Told& got, const Told& wanted) {
-  EXPECT_EQ(got.size(), wanted.size());
-  for (const auto& [features, distance] : wanted) {
-    const auto found = got.find(features);
-    if (found == got.end()) {
-      ADD_FAILURE() << "left out at " << distance;
-      continue;
-    }
-    EXPECT_NEAR(found->second, distance, 1e-13);
-  }
 }
 
 std::vector<abut_stencil> of_vertices(const std::vector<abut_stencil>& all) {

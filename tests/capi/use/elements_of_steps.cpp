@@ -8,12 +8,6 @@ namespace {
 
 using namespace abut_test;
 
-std::vector<double> moved(const Surface& mesh, double by, std::mt19937& random) {
-  std::uniform_real_distribution<double> share(-by, by);
-  std::vector<double> out = mesh.xyz;
-  for (double& value : out) value += share(random);
-  return out;
-}
 bool have_same_bits(const std::vector<abut_stencil>& a, const std::vector<abut_stencil>& b) {
   return a.size() == b.size() && (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(abut_stencil)) == 0);
 }
@@ -155,49 +149,6 @@ TEST(ElementsCandidates, AreThoseWhoseBoxesOverlap) {
       }
     }
   }
-}
-
-// All pairs on their ways, one after the other.
-std::set<std::tuple<std::uint32_t, std::uint32_t, std::uint32_t, std::uint32_t>> touches_by_all_pairs(
-    const Surface& a, const std::vector<double>& end_a, const Surface& b, const std::vector<double>& end_b,
-    double separation) {
-  std::set<std::tuple<std::uint32_t, std::uint32_t, std::uint32_t, std::uint32_t>> out;
-  const bool is_one = &a == &b;
-  const auto touch = [&](auto ask, const std::vector<std::pair<bool, std::uint32_t>>& vertices) {
-    std::array<double, 12> start{}, end{};
-    for (std::size_t i = 0; i < 12; ++i) {
-      const auto [is_of_b, vertex] = vertices.at(i / 3);
-      start.at(i) = (is_of_b ? b : a).xyz.at(3 * vertex + i % 3);
-      end.at(i) = (is_of_b ? end_b : end_a).at(3 * vertex + i % 3);
-    }
-    abut_first_touch first{};
-    require(ask(start.data(), end.data(), 1, separation, 1e-9, &first));
-    return first.touches != 0;
-  };
-  for (const bool is_of_b : {false, true}) {
-    const Surface &own = is_of_b ? b : a, &other = is_of_b ? a : b;
-    for (std::uint32_t vertex = 0; vertex < own.vertex_count() && !(is_one && is_of_b); ++vertex) {
-      for (std::uint32_t face = 0; face < other.face_count(); ++face) {
-        const auto corners = other.face(face);
-        if (is_one && have_common(std::array{vertex}, corners)) continue;
-        if (touch(abut_vertices_touch_faces,
-                  {{is_of_b, vertex}, {!is_of_b, corners[0]}, {!is_of_b, corners[1]}, {!is_of_b, corners[2]}})) {
-          out.insert({ABUT_STENCIL_VERTEX_FACE, is_of_b ? 3 : 1, is_of_b ? face : vertex, is_of_b ? vertex : face});
-        }
-      }
-    }
-  }
-  const auto edges_a = a.edges(), edges_b = b.edges();
-  for (std::uint32_t i = 0; i < edges_a.size(); ++i) {
-    for (std::uint32_t j = is_one ? i + 1 : 0; j < edges_b.size(); ++j) {
-      if (is_one && have_common(edges_a[i], edges_b[j])) continue;
-      if (touch(abut_edges_touch_edges,
-                {{false, edges_a[i][0]}, {false, edges_a[i][1]}, {true, edges_b[j][0]}, {true, edges_b[j][1]}})) {
-        out.insert({ABUT_STENCIL_EDGE_EDGE, 2, i, j});
-      }
-    }
-  }
-  return out;
 }
 
 void expect_touches(const Surface& a, const Surface& b, bool is_one, double separation, std::mt19937& random) {

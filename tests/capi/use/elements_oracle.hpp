@@ -118,6 +118,132 @@ bool have_common(const A& a, const B& b) {
   return std::any_of(a.begin(), a.end(), [&](auto x) { return std::find(b.begin(), b.end(), x) != b.end(); });
 }
 
+// What a stencil is of: vertices of a, then those of b, each sorted.
+using Features = std::pair<std::vector<std::uint32_t>, std::vector<std::uint32_t>>;
+using Told = std::map<Features, double>;  // to the distance
+
+inline std::size_t vertex_count_of(abut_stencil_kind kind) {
+  return kind == ABUT_STENCIL_VERTEX_VERTEX ? 2 : kind == ABUT_STENCIL_VERTEX_EDGE ? 3 : 4;
+}
+inline Features features_of(const abut_stencil& its) {
+  Features out;
+  for (std::size_t i = 0; i < vertex_count_of(its.kind); ++i) {
+    (i < its.of_a ? out.first : out.second).push_back(its.vertices[i]);
+  }
+  std::sort(out.first.begin(), out.first.end());
+  std::sort(out.second.begin(), out.second.end());
+  return out;
+}
+inline Told told(const std::vector<abut_stencil>& stencils) {
+  Told out;
+  for (const abut_stencil& its : stencils) {
+    EXPECT_TRUE(out.emplace(features_of(its), its.distance).second) << "told twice";
+  }
+  return out;
+}
+
+// All pairs of a vertex and a face with no vertex in common, of one mesh or of two.
+struct NearVertex {
+  Features features;
+  std::uint32_t vertex;
+  bool is_of_b;
+  Wide distance;
+  std::vector<std::uint32_t> feature;  // that is near it
+};
+inline std::vector<NearVertex> near_vertices(const Surface& a, const Surface& b, double reach) {
+  std::vector<NearVertex> out;
+  const bool is_one = &a == &b;
+  for (const bool is_of_b : {false, true}) {
+    const Surface &own = is_of_b ? b : a, &other = is_of_b ? a : b;
+    for (std::uint32_t vertex = 0; vertex < own.vertex_count() && !(is_one && is_of_b); ++vertex) {
+      for (std::uint32_t face = 0; face < other.face_count(); ++face) {
+        if (!other.is_face(face) || (is_one && have_common(std::array{vertex}, other.face(face)))) continue;
+        const ClosestFeature its = closest_on_face(own.vertex(vertex), other, face);
+        if (its.distance > reach) continue;
+        Features features = is_of_b ? Features{its.vertices, {vertex}} : Features{{vertex}, its.vertices};
+        // Two vertices are told once.
+        if (is_one && its.vertices.size() == 1 && its.vertices[0] < vertex) std::swap(features.first, features.second);
+        out.push_back({features, vertex, is_of_b, its.distance, its.vertices});
+      }
+    }
+  }
+  return out;
+}
+inline Told near_edges(const Surface& a, const Surface& b, double reach) {
+  Told out;
+  const auto edges_a = a.edges(), edges_b = b.edges();
+  for (std::size_t i = 0; i < edges_a.size(); ++i) {
+    for (std::size_t j = &a == &b ? i + 1 : 0; j < edges_b.size(); ++j) {
+      if (&a == &b && have_common(edges_a[i], edges_b[j])) continue;
+      const auto distance = distance_inside_edges(a, edges_a[i], b, edges_b[j]);
+      if (!distance || *distance > reach) continue;
+      out[{{edges_a[i].begin(), edges_a[i].end()}, {edges_b[j].begin(), edges_b[j].end()}}] = double(*distance);
+    }
+  }
+  return out;
+}
+inline void expect_same(const Told& got, const Told& wanted) {
+  EXPECT_EQ(got.size(), wanted.size());
+  for (const auto& [features, distance] : wanted) {
+    const auto found = got.find(features);
+    if (found == got.end()) {
+      ADD_FAILURE() << "left out at " << distance;
+      continue;
+    }
+    EXPECT_NEAR(found->second, distance, 1e-13);
+  }
+}
+
+inline std::vector<double> moved(const Surface& mesh, double by, std::mt19937& random) {
+  std::uniform_real_distribution<double> share(-by, by);
+  std::vector<double> out = mesh.xyz;
+  for (double& value : out) value += share(random);
+  return out;
+}
+// Kind, how many vertices are of a, and both elements.
+using Touches = std::set<std::tuple<std::uint32_t, std::uint32_t, std::uint32_t, std::uint32_t>>;
+// All pairs on their ways, one after the other.
+inline Touches touches_by_all_pairs(const Surface& a, const std::vector<double>& end_a, const Surface& b,
+                                    const std::vector<double>& end_b, double separation) {
+  Touches out;
+  const bool is_one = &a == &b;
+  const auto touch = [&](auto ask, const std::vector<std::pair<bool, std::uint32_t>>& vertices) {
+    std::array<double, 12> start{}, end{};
+    for (std::size_t i = 0; i < 12; ++i) {
+      const auto [is_of_b, vertex] = vertices.at(i / 3);
+      start.at(i) = (is_of_b ? b : a).xyz.at(3 * vertex + i % 3);
+      end.at(i) = (is_of_b ? end_b : end_a).at(3 * vertex + i % 3);
+    }
+    abut_first_touch first{};
+    require(ask(start.data(), end.data(), 1, separation, 1e-9, &first));
+    return first.touches != 0;
+  };
+  for (const bool is_of_b : {false, true}) {
+    const Surface &own = is_of_b ? b : a, &other = is_of_b ? a : b;
+    for (std::uint32_t vertex = 0; vertex < own.vertex_count() && !(is_one && is_of_b); ++vertex) {
+      for (std::uint32_t face = 0; face < other.face_count(); ++face) {
+        const auto corners = other.face(face);
+        if (is_one && have_common(std::array{vertex}, corners)) continue;
+        if (touch(abut_vertices_touch_faces,
+                  {{is_of_b, vertex}, {!is_of_b, corners[0]}, {!is_of_b, corners[1]}, {!is_of_b, corners[2]}})) {
+          out.insert({ABUT_STENCIL_VERTEX_FACE, is_of_b ? 3 : 1, is_of_b ? face : vertex, is_of_b ? vertex : face});
+        }
+      }
+    }
+  }
+  const auto edges_a = a.edges(), edges_b = b.edges();
+  for (std::uint32_t i = 0; i < edges_a.size(); ++i) {
+    for (std::uint32_t j = is_one ? i + 1 : 0; j < edges_b.size(); ++j) {
+      if (is_one && have_common(edges_a[i], edges_b[j])) continue;
+      if (touch(abut_edges_touch_edges,
+                {{false, edges_a[i][0]}, {false, edges_a[i][1]}, {true, edges_b[j][0]}, {true, edges_b[j][1]}})) {
+        out.insert({ABUT_STENCIL_EDGE_EDGE, 2, i, j});
+      }
+    }
+  }
+  return out;
+}
+
 // Owns elements; the tests read like calls of the C interface.
 class ElementsOf {
  public:

@@ -251,6 +251,7 @@ FUNCTIONS = {
     "abut_parts_accelerations": (Status, [c_void_p, POINTER(PartId), c_size_t, POINTER(Acceleration)]),
     "abut_universe_impacts": (Status, [c_void_p, POINTER(POINTER(StepImpact)), POINTER(c_size_t)]),
     "abut_universe_advance_to_first_impact": (Status, [c_void_p, c_double, POINTER(StepImpact)]),
+    "abut_universe_element_contacts": (Status, [c_void_p, POINTER(POINTER(ElementContact)), POINTER(c_size_t)]),
     "abut_universe_attach": (Status, [c_void_p, c_char_p]),
     "abut_universe_detach": (Status, [c_void_p, c_char_p]),
     "abut_query_filter_init": (None, [POINTER(QueryFilter), c_uint32]),

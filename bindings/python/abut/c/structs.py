@@ -15,10 +15,10 @@ __all__ = ["Vec3", "Quat", "Pose", "Aabb", "PartId", "GeometryId", "Feature", "H
     "ElementsOptions", "Stencil", "ElementPair", "Crossing", "Movement", "ImpactOptions", "Impact", "UniverseOptions",
     "PartOptions", "Sleep", "GeometryOptions", "GeometryInfo", "Revision", "Collidable", "Policy", "Focus",
     "ContactMaterial", "Event", "SleepChange", "LocalPoints", "StepStats", "Finding", "Island", "Velocity",
-    "Acceleration", "StepImpact", "QueryFilter", "QueryHit", "CastHit", "ImpactHit", "Closest", "LayoutEntry", "Pick",
-    "Camera", "ContactProblem", "SolverOptions", "Residuals", "MassProperties", "ResponseOptions", "BodyOptions",
-    "ContactLaw", "ResponseSide", "LinkOptions", "ResponseContact", "ResponseObject", "ResponseIsland", "Energy",
-    "ResponseFinding"]
+    "Acceleration", "StepImpact", "ElementContact", "QueryFilter", "QueryHit", "CastHit", "ImpactHit", "Closest",
+    "LayoutEntry", "Pick", "Camera", "ContactProblem", "SolverOptions", "Residuals", "MassProperties",
+    "ResponseOptions", "BodyOptions", "ContactLaw", "ResponseSide", "LinkOptions", "ResponseContact", "ResponseObject",
+    "ResponseIsland", "Energy", "ResponseFinding"]
 
 
 @struct
@@ -430,6 +430,14 @@ class Policy(Struct):
     period: UInt32
     tolerance: Double
     error_bound: Double
+    method: UInt32
+    kinds: UInt32
+    flags: UInt32
+    reserved: UInt32
+    contact_distance: Double
+    rest_distance: Double
+    cone_angle: Double
+    cone_factor: Double
 
 
 @struct
@@ -546,6 +554,15 @@ class StepImpact(Struct):
     contact_count: UInt32
     is_undecided: UInt32
     reserved: UInt32
+
+
+@struct
+class ElementContact(Struct):
+    geometry_a: GeometryId
+    geometry_b: GeometryId
+    stencil: Stencil
+    gap: Double
+    id: UInt64
 
 
 @struct

@@ -97,6 +97,14 @@ class Detection(Filters):
         """The same without a copy."""
         return self._borrow(c.Event, library.abut_universe_events)
 
+    def element_contacts(self) -> Records:
+        """Vertices, edges and faces that are near or touch; of pairs whose policy has DETAIL_ELEMENTS."""
+        return self._copy(c.ElementContact, library.abut_universe_element_contacts)
+
+    def borrow_element_contacts(self) -> Borrowed:
+        """The same without a copy, until the next change of the universe."""
+        return self._borrow(c.ElementContact, library.abut_universe_element_contacts)
+
     def impacts(self) -> Records:
         """What fast geometries touched on their paths through the last step, in order of time."""
         return self._copy(c.StepImpact, library.abut_universe_impacts)

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+// Builds without the feature `deforming`: no pair asks for elements, since the C interface asks first.
+export module abut.detect.elements;
+import abut.broadphase;
+import abut.core.standard;
+import abut.core.workers;
+import abut.detect.pairs.jobs;
+import abut.detect.pairs;
+import abut.detect.pairs.refresh;
+import abut.scene.state.places;
+import abut.scene.meetings.policies;
+import abut.scene.state.space;
+
+export namespace abut {
+
+inline constexpr bool finds_elements = false;
+
+[[nodiscard]] inline bool has_elements(std::size_t /*kind*/) { return false; }
+
+class ElementStage {
+ public:
+  [[nodiscard]] bool follow(const BoxFrame& /*frame*/, const PolicyTable& /*policies*/, const Space& /*space*/,
+                            std::span<const std::uint32_t> /*fresh*/, bool /*has_time*/, Places& /*places*/) {
+    return false;
+  }
+  [[nodiscard]] std::span<const ProxyPair> with(std::span<const ProxyPair> near) { return near; }
+  void run(const Workers& /*workers*/, const PolicyTable& /*policies*/, Places& /*places*/,
+           std::span<const Pair> /*pairs*/, JobList& /*jobs*/) {}
+  [[nodiscard]] std::uint64_t hash_after(std::uint64_t hash) const { return hash; }
+  // A universe that another build has saved may have some.
+  template <class Archive, class Self>
+  static void transfer(Archive& archive, Self& self) {
+    std::uint64_t bodies = 0, contacts = 0;
+    archive(self.had_time_, bodies, contacts);
+    if constexpr (Archive::is_reading) {
+      archive.require(bodies == 0 && contacts == 0, "element contacts are there");
+    }
+  }
+  [[nodiscard]] bool restore(const Places& /*places*/, const PolicyTable& policies) const {
+    return policies.tags_of_elements() == 0;
+  }
+  [[nodiscard]] std::size_t bytes() const { return 0; }
+
+ private:
+  bool had_time_ = false;
+};
+
+}  // namespace abut
