@@ -1,15 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // Error against run time: signed distances of abut, Bullet, FCL and libccd beside the float128 oracle of the tests,
 // under conditions from ordinary to extreme.
-#include <algorithm>
 #include <array>
-#include <charconv>
 #include <cstddef>
 #include <cstdio>
-#include <exception>
 #include <filesystem>
-#include <iterator>
-#include <memory>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -17,15 +12,18 @@
 #include <vector>
 
 #include "accuracy_picture.hpp"
+#include "accuracy_file.hpp"
 #include "accuracy_rows.hpp"
 #include "accuracy_scenes.hpp"
 #include "accuracy_tables.hpp"
 #include "agreement.hpp"
+#include "flags.hpp"
 
 namespace bench {
 namespace {
 
-constexpr std::array kinds{Kind::sphere, Kind::capsule, Kind::box, Kind::cylinder, Kind::hull32, Kind::hull200};
+constexpr std::array kinds{Kind::sphere, Kind::capsule,   Kind::box,    Kind::cylinder,
+                           Kind::cone,   Kind::ellipsoid, Kind::hull32, Kind::hull200};
 
 constexpr const char* usage = R"(usage: abut_bench_accuracy [--out FOLDER] [--cases N] [--repetitions N] [--only TEXT]
 
@@ -34,56 +32,76 @@ Prints tables of time and error, and writes accuracy.csv, distance.svg and depth
   --cases N         placed pairs for each pair of kinds, question and condition (32)
   --repetitions N   of each timing (5)
   --only TEXT       only what has this in its name, such as depth/ordinary/box-hull32
+  --without TEXT    not what has this in its name
+  --json FILE       also writes all rows there, each with the pair that was worst
 )";
 
 struct Flags {
   std::filesystem::path out = "out/accuracy";
   std::size_t cases = 32, repetitions = 5;
-  std::string only;
+  std::string only, without;
+  std::filesystem::path json;
 };
 
-std::size_t count_of(const std::string& flag, const std::string& text) {
-  std::size_t value = 0;
-  const auto [end, error] = std::from_chars(text.data(), std::to_address(text.end()), value);
-  if (error != std::errc{} || end != std::to_address(text.end()) || value < 1 || value > 10'000) {
-    throw std::runtime_error(flag + " takes a whole number from 1 to 10000, not '" + text + "'");
-  }
-  return value;
-}
-
-// A later flag wins. Those of Google Benchmark, which scripts/bench hands to all suites, mean nothing here.
-Flags flags_of(std::vector<std::string> words) {
-  std::erase_if(words, [](const std::string& word) { return word.starts_with("--benchmark_"); });
+Flags flags_from(const std::vector<std::string>& words) {
   Flags flags;
-  for (std::size_t i = 0; i < words.size(); i += 2) {
-    const std::string value = i + 1 < words.size() ? words[i + 1] : "";
-    if (words[i] == "--out" && !value.empty()) {
+  for (const auto& [name, value] : flags_of(words, usage)) {
+    if (name == "--out" && !value.empty()) {
       flags.out = value;
-    } else if (words[i] == "--cases") {
-      flags.cases = count_of(words[i], value);
-    } else if (words[i] == "--repetitions") {
-      flags.repetitions = count_of(words[i], value);
-    } else if (words[i] == "--only") {
+    } else if (name == "--cases") {
+      flags.cases = count_of(name, value);
+    } else if (name == "--repetitions") {
+      flags.repetitions = count_of(name, value);
+    } else if (name == "--only") {
       flags.only = value;
+    } else if (name == "--without" && !value.empty()) {
+      flags.without = value;
+    } else if (name == "--json" && !value.empty()) {
+      flags.json = value;
     } else {
-      throw std::runtime_error("'" + words[i] + "' makes no sense here\n" + usage);
+      refuse(name, usage);
     }
   }
   return flags;
 }
 
-void add_rows(const Flags& flags, Query query, Condition condition, AccuracyScenes& scenes, std::vector<Row>& rows) {
+struct Written {
+  std::vector<Row> rows;
+  RowFile file;
+};
+
+void ask(const Flags& flags, Query query, Condition condition, const std::string& pair, const JudgedCell& cell,
+         Written& written) {
+  for (Row& row : measured(query, cell, flags.repetitions, all_entrants())) {
+    row.condition = condition;
+    row.pair = pair;
+    written.file.add({{"condition", condition_name(condition)}, {"pair", pair}}, row, cell);
+    written.rows.push_back(std::move(row));
+  }
+}
+
+void add_rows(const Flags& flags, Query query, Condition condition, AccuracyScenes& scenes, Written& written) {
   for (std::size_t b = 0; b < kinds.size(); ++b) {
     for (std::size_t a = 0; a <= b; ++a) {
       const std::string pair = std::string(kind_name(kinds[a])) + "-" + std::string(kind_name(kinds[b]));
-      const std::string name =
-          std::string(query_name(query)) + "/" + std::string(condition_name(condition)) + "/" + pair;
-      if (name.find(flags.only) == std::string::npos) {
+      const std::string rest = "/" + std::string(condition_name(condition)) + "/" + pair;
+      const auto is_asked = [&](Query one) {
+        const std::string name = std::string(query_name(one)) + rest;
+        const bool is_left_out = !flags.without.empty() && name.find(flags.without) != std::string::npos;
+        return name.find(flags.only) != std::string::npos && !is_left_out;
+      };
+      // The deepest contact of a pair is as deep as the pair.
+      const bool with_contacts = query == Query::depth && is_asked(Query::contacts);
+      if (!is_asked(query) && !with_contacts) {
         continue;
       }
       if (const auto cell = scenes.make(query, condition, kinds[a], kinds[b], flags.cases)) {
-        std::vector<Row> more = measured(query, condition, pair, *cell, flags.repetitions);
-        std::ranges::move(more, std::back_inserter(rows));
+        if (is_asked(query)) {
+          ask(flags, query, condition, pair, *cell, written);
+        }
+        if (with_contacts) {
+          ask(flags, Query::contacts, condition, pair, *cell, written);
+        }
       }
     }
   }
@@ -92,14 +110,15 @@ void add_rows(const Flags& flags, Query query, Condition condition, AccuracyScen
 void run(const Flags& flags) {
   std::filesystem::create_directories(flags.out);
   AccuracyScenes scenes;
-  std::vector<Row> rows;
-  for (const Query query : {Query::distance, Query::depth}) {
+  Written written;
+  for (const Query query : {Query::distance, Query::depth, Query::cast}) {
     for (const Condition condition : all_conditions) {
       std::fprintf(stderr, "%s, %s\n", std::string(query_name(query)).c_str(),
                    std::string(condition_title(condition)).c_str());
-      add_rows(flags, query, condition, scenes, rows);
+      add_rows(flags, query, condition, scenes, written);
     }
   }
+  const std::vector<Row>& rows = written.rows;
   if (rows.empty()) {
     throw std::runtime_error("--only is '" + flags.only + "'; nothing that is asked has it in its name");
   }
@@ -108,23 +127,15 @@ void run(const Flags& flags) {
   write_rows(flags.out / "accuracy.csv", rows);
   write_picture(flags.out / "distance.svg", rows, Query::distance);
   write_picture(flags.out / "depth.svg", rows, Query::depth);
+  if (!flags.json.empty()) {
+    written.file.write(flags.json, {{"cases", flags.cases}, {"repetitions", flags.repetitions}});
+  }
 }
 
 }  // namespace
 }  // namespace bench
 
-int main(int argument_count, char** arguments) {
-  try {
-    const std::vector<std::string> all(arguments, std::next(arguments, argument_count)),
-        words(all.begin() + 1, all.end());
-    if (!words.empty() && (words.front() == "--help" || words.front() == "-h")) {
-      std::printf("%s", bench::usage);
-      return 0;
-    }
-    bench::run(bench::flags_of(words));
-    return 0;
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "%s\n", error.what());
-    return 1;
-  }
+int main(int count, char** words) {
+  return bench::main_of(count, words, bench::usage,
+                        [](const std::vector<std::string>& given) { bench::run(bench::flags_from(given)); });
 }

@@ -21,9 +21,9 @@ std::optional<oracle::Body> body_of(const Solid& solid) {
     case Kind::hull200:
     case Kind::hull:
     case Kind::triangle: return oracle::make_hull(solid.points);
-    case Kind::cylinder: return std::nullopt;
+    case Kind::cylinder:
     case Kind::cone:
-    case Kind::ellipsoid:
+    case Kind::ellipsoid: return std::nullopt;
     case Kind::plane:
     case Kind::mesh:
     case Kind::height_field: break;
@@ -35,6 +35,12 @@ oracle::Solid solid_of(const Solid& solid, const std::optional<oracle::Body>& bo
   const Point& s = solid.sizes;
   if (solid.kind == Kind::box) {
     return oracle::solid_of(oracle::Box{s});
+  }
+  if (solid.kind == Kind::cone) {
+    return oracle::solid_of(oracle::Cone{s[0], s[1]});
+  }
+  if (solid.kind == Kind::ellipsoid) {
+    return oracle::solid_of(oracle::Ellipsoid{s});
   }
   return body ? oracle::solid_of(*body) : oracle::solid_of(oracle::Cylinder{s[0], s[1]});
 }
@@ -67,6 +73,30 @@ std::optional<oracle::Quad> true_distance(Judge& a, const Placement& pose_a, Jud
     return std::nullopt;
   }
   return oracle::signed_distance(*a.features(), at_a, *b.features(), at_b).distance;
+}
+
+oracle::Quad true_cast(const Judge& a, const Placement& pose_a, const Judge& b, const Placement& pose_b,
+                       const Point& motion) {
+  constexpr int most_steps = 200;
+  const oracle::Vec way{oracle::quad(motion[0]), oracle::quad(motion[1]), oracle::quad(motion[2])};
+  const oracle::Pose at_a = oracle_pose(pose_a);
+  oracle::Pose at_b = oracle_pose(pose_b);
+  const oracle::Vec start = at_b.position;
+  oracle::Quad share = 0;
+  for (int i = 0; i < most_steps && share < 1; ++i) {
+    at_b.position = start + way * share;
+    const oracle::Nearest found = oracle::nearest(a.solid(), at_a, b.solid(), at_b);
+    const oracle::Quad closing = -oracle::dot(found.normal, way);
+    const bool is_there = !found.is_known || found.lower <= oracle::quad(enough) * oracle::quad(b.solid().size);
+    if (is_there) {
+      return share;
+    }
+    if (closing <= 0) {
+      return 1;
+    }
+    share += found.lower / closing;
+  }
+  return oracle::smaller(share, 1);
 }
 
 }  // namespace bench

@@ -34,4 +34,9 @@ class Judge {
 [[nodiscard]] std::optional<oracle::Quad> true_distance(Judge& a, const Placement& pose_a, Judge& b,
                                                         const Placement& pose_b, bool with_overlaps);
 
+// The share of the motion of b, which does not turn, at which it first touches a; 1 where it passes. Solids that are
+// apart at the start. Each step is the way that the plane between both allows, Newton's method on a convex function.
+[[nodiscard]] oracle::Quad true_cast(const Judge& a, const Placement& pose_a, const Judge& b, const Placement& pose_b,
+                                     const Point& motion);
+
 }  // namespace bench

@@ -93,7 +93,7 @@ void draw_axes(Svg& svg, const Panel& panel, Condition condition) {
 }
 
 bool fails_often(const Row& row) {
-  return static_cast<double>(row.failed) > most_failures * static_cast<double>(row.cases);
+  return static_cast<double>(row.failed.total()) > most_failures * static_cast<double>(row.cases);
 }
 
 void draw_marks(Svg& svg, const Panel& panel, std::span<const Row> rows, Query query, Condition condition) {

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <ctime>
+#include <numeric>
 
 #include "accuracy_survivors.hpp"
 #include "statistics.hpp"
@@ -53,17 +54,42 @@ Broken broken_by(const AbutQuery& asked, const JudgedCell& cell, std::span<const
   return broken;
 }
 
-void add_errors(const AbutQuery& asked, const JudgedCell& cell, std::span<const Answer> answers, Row& row) {
+// `kept`: the numbers of the cases among all that were asked.
+void add_errors(const AbutQuery& asked, const JudgedCell& cell, std::span<const Answer> answers,
+                std::span<const std::size_t> kept, Row& row) {
+  double most = -1;
   for (std::size_t i = 0; i < answers.size(); ++i) {
     const double found = answers[i].distance, error = std::fabs(minus(found, cell.truths[i])) / cell.sizes[i];
     const bool is_other_side = (found < 0) != (cell.truths[i] < 0);
     const bool is_wrong = is_other_side && error > std::max(wrong_side, asked.error_bound);
-    if (answers[i].points == 0 || !std::isfinite(found) || is_wrong) {
-      ++row.failed;
+    const bool is_first_failure = row.failed.total() == 0;
+    if (answers[i].points == 0) {
+      ++row.failed.none;
+    } else if (!std::isfinite(found)) {
+      ++row.failed.not_finite;
+    } else if (is_wrong) {
+      ++row.failed.wrong_side;
     } else {
       row.errors.push_back(error);
+      if (row.failed.total() == 0 && error > most) {
+        most = error;
+        row.worst = kept[i];
+      }
+      continue;
+    }
+    if (is_first_failure) {
+      row.worst = kept[i];
     }
   }
+}
+
+// The first of all cases that is not among those kept.
+std::size_t first_missing(std::span<const std::size_t> kept) {
+  std::size_t i = 0;
+  while (i < kept.size() && kept[i] == i) {
+    ++i;
+  }
+  return i;
 }
 
 double processor_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
@@ -107,18 +133,22 @@ std::optional<Ready> ready(const Entrant& entrant, Query query, const JudgedCell
     return std::nullopt;
   }
   JudgedCell cell = all;
+  std::vector<std::size_t> kept(all.cases.size());
+  std::iota(kept.begin(), kept.end(), std::size_t{0});
   if (entrant.make != nullptr) {
-    cell = all.only(survivors(entrant, query, all.cell()));
+    kept = survivors(entrant, query, all.cell());
+    cell = all.only(kept);
     result.contender = cell.cases.empty() ? nullptr : made(entrant, query, cell.cell());
   }
   result.row.cases = all.cases.size();
-  result.row.failed = all.cases.size() - cell.cases.size();
+  result.row.failed.ended = all.cases.size() - cell.cases.size();
+  result.row.worst = result.row.failed.ended > 0 ? first_missing(kept) : 0;
   result.answers.resize(cell.cases.size());
   if (result.contender) {
     result.contender->answer(result.answers);
-    add_errors(entrant.asked, cell, result.answers, result.row);
+    add_errors(entrant.asked, cell, result.answers, kept, result.row);
   }
-  if (entrant.make == nullptr) {
+  if (entrant.make == nullptr && (query == Query::distance || query == Query::depth)) {
     result.row.broken = broken_by(entrant.asked, cell, result.answers);
   }
   return result;
@@ -137,6 +167,7 @@ constexpr std::array every{Entrant{"abut", nullptr, {}},
                            Entrant{"abut libccd_mpr", nullptr, {ABUT_ALGORITHM_LIBCCD_MPR}},
                            Entrant{"bullet", make_bullet, {}},
                            Entrant{"fcl", make_fcl, {}},
+                           Entrant{"ode", make_ode, {}},
                            Entrant{"libccd_gjk", make_libccd_gjk, {}},
                            Entrant{"libccd_mpr", make_libccd_mpr, {}}};
 
@@ -144,14 +175,24 @@ constexpr std::array every{Entrant{"abut", nullptr, {}},
 
 std::span<const Entrant> entrants() { return every; }
 
-std::vector<Row> measured(Query query, Condition condition, const std::string& pair, const JudgedCell& cell,
-                          std::size_t repetitions) {
+std::vector<std::size_t> all_entrants() {
+  std::vector<std::size_t> all(every.size());
+  std::iota(all.begin(), all.end(), std::size_t{0});
+  return all;
+}
+
+std::vector<std::size_t> entrants_of(std::span<const std::string_view> names) {
+  std::vector<std::size_t> list = all_entrants();
+  std::erase_if(list, [names](std::size_t i) { return std::ranges::find(names, every[i].name) == names.end(); });
+  return list;
+}
+
+std::vector<Row> measured(Query query, const JudgedCell& cell, std::size_t repetitions,
+                          std::span<const std::size_t> chosen) {
   std::vector<Ready> entered;
-  for (std::size_t i = 0; i < entrants().size(); ++i) {
+  for (const std::size_t i : chosen) {
     if (auto one = ready(entrants()[i], query, cell)) {
       one->row.query = query;
-      one->row.condition = condition;
-      one->row.pair = pair;
       one->row.entrant = i;
       entered.push_back(std::move(*one));
     }
@@ -185,7 +226,10 @@ Row together(std::span<const Row> rows) {
     sum.errors.insert(sum.errors.end(), row.errors.begin(), row.errors.end());
     sum.pairs += row.pairs;
     sum.cases += row.cases;
-    sum.failed += row.failed;
+    sum.failed.ended += row.failed.ended;
+    sum.failed.none += row.failed.none;
+    sum.failed.not_finite += row.failed.not_finite;
+    sum.failed.wrong_side += row.failed.wrong_side;
     if (sum.broken && row.broken) {
       sum.broken->outside += row.broken->outside;
       sum.broken->beyond += row.broken->beyond;

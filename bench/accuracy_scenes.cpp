@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "accuracy_placing.hpp"
+#include "accuracy_solids.hpp"
 #include "random_pairs.hpp"
 
 namespace bench {
@@ -32,55 +33,25 @@ std::size_t wanted_cases(Query query, Kind a, Kind b, std::size_t count) {
 
 bool is_round(Kind kind) { return kind == Kind::sphere || kind == Kind::capsule; }
 
-// Depths of a cylinder are known only where the core of the other shape, a point or a segment, is outside of it.
+bool is_curved(Kind kind) { return kind == Kind::cylinder || kind == Kind::cone || kind == Kind::ellipsoid; }
+
+// Depths of a curved solid are known only where the core of the other shape, a point or a segment, is outside of it.
 bool is_judged(Query query, Kind a, Kind b) {
-  const bool has_cylinder = a == Kind::cylinder || b == Kind::cylinder;
-  return query == Query::distance || !has_cylinder || is_round(a) || is_round(b);
+  const bool has_curved = is_curved(a) || is_curved(b);
+  return query != Query::depth || !has_curved || is_round(a) || is_round(b);
 }
 
-bool makes_sense(Condition condition, Kind a, Kind b) {
+// A flat or straight side to lie along.
+bool has_side(Kind kind) { return kind != Kind::sphere && kind != Kind::cone && kind != Kind::ellipsoid; }
+
+bool makes_sense(Query query, Condition condition, Kind a, Kind b) {
+  if (query == Query::cast && condition != Condition::ordinary && condition != Condition::far) {
+    return false;
+  }
   if (condition == Condition::parallel) {
-    return a != Kind::sphere && b != Kind::sphere;
+    return has_side(a) && has_side(b);
   }
   return condition != Condition::thin || a != Kind::sphere || b != Kind::sphere;
-}
-
-// Thin along two axes or along one; a sphere stays as it is, and a capsule can only be a needle.
-Solid made_thin(Solid solid, bool is_needle) {
-  switch (solid.kind) {
-    case Kind::capsule: solid.sizes[0] = solid.sizes[1] / aspect; return solid;
-    case Kind::cylinder:
-      (is_needle ? solid.sizes[0] : solid.sizes[1]) = solid.sizes[is_needle ? 1 : 0] / aspect;
-      return solid;
-    case Kind::sphere:
-    case Kind::box:
-    case Kind::plane:
-    case Kind::hull32:
-    case Kind::hull200:
-    case Kind::cone:
-    case Kind::ellipsoid:
-    case Kind::hull:
-    case Kind::triangle:
-    case Kind::mesh:
-    case Kind::height_field: break;
-  }
-  const auto flatten = [is_needle](Point& p) {
-    p[2] /= is_needle ? 1 : aspect;
-    p[0] /= is_needle ? aspect : 1;
-    p[1] /= is_needle ? aspect : 1;
-  };
-  if (solid.kind == Kind::box) {
-    flatten(solid.sizes);
-  }
-  std::ranges::for_each(solid.points, flatten);
-  return solid;
-}
-
-Solid scaled(Solid solid, double factor) {
-  const auto scale = [factor](Point& p) { p = {factor * p[0], factor * p[1], factor * p[2]}; };
-  scale(solid.sizes);
-  std::ranges::for_each(solid.points, scale);
-  return solid;
 }
 
 double power_of_ten(double from, double to, Random& random) { return std::pow(10, random.uniform(from, to)); }
@@ -98,7 +69,7 @@ class Draws {
   // A case that need not lie on the side that is asked for.
   Case next() {
     switch (condition_) {
-      case Condition::ordinary: return random_case(a_.solids, b_.solids, random_);
+      case Condition::ordinary: return ordinary();
       case Condition::thin: return thin();
       case Condition::size_ratio: return size_ratio();
       case Condition::far: return far();
@@ -111,10 +82,17 @@ class Draws {
   [[nodiscard]] bool is_wanted(Quad distance) const {
     const bool is_plain = condition_ == Condition::ordinary || condition_ == Condition::far;
     const Quad least = is_plain ? quad(least_gap) : 0;
-    return query_ == Query::distance ? distance > least : distance < -least;
+    return query_ == Query::depth ? distance < -least : distance > least;
   }
 
  private:
+  Case ordinary() {
+    Case one = random_case(a_.solids, b_.solids, random_);
+    if (query_ == Query::cast) {
+      give_motion(one, reach(one), random_);
+    }
+    return one;
+  }
   Case any_two() {
     const Point position{random_.uniform(-1, 1), random_.uniform(-1, 1), random_.uniform(-1, 1)};
     return {random_.below(a_.solids.size()), random_.below(b_.solids.size()), {position, random_.orientation()}, {}};
@@ -122,7 +100,7 @@ class Draws {
   [[nodiscard]] double reach(const Case& one) const {
     return bounding_radius(a_.solids[one.a]) + bounding_radius(b_.solids[one.b]);
   }
-  [[nodiscard]] double outward(double gap) const { return query_ == Query::distance ? gap : -gap; }
+  [[nodiscard]] double outward(double gap) const { return query_ == Query::depth ? -gap : gap; }
 
   Vec any_direction() {
     const Point n = random_.direction();
@@ -167,7 +145,7 @@ class Draws {
   }
 
   Case far() {
-    Case one = random_case(a_.solids, b_.solids, random_);
+    Case one = ordinary();
     const Point direction = random_.direction();
     for (std::size_t i = 0; i < 3; ++i) {
       one.pose_a.position.at(i) += far_away * direction.at(i);
@@ -198,17 +176,6 @@ class Draws {
   Random& random_;
 };
 
-void add(JudgedCell& cell, const Case& one, Quad truth) {
-  const double size = 2 * (bounding_radius(cell.solids_a[one.a]) + bounding_radius(cell.solids_b[one.b]));
-  const Point &p = one.pose_a.position, &q = one.pose_b.position;
-  const double apart = std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]);
-  cell.cases.push_back(one);
-  cell.truths.push_back(truth);
-  cell.sizes.push_back(size);
-  cell.roundings.push_back(64 * std::numeric_limits<double>::epsilon() *
-                           (size / 2 + apart));  // as in the property tests
-}
-
 }  // namespace
 
 std::string_view condition_name(Condition condition) {
@@ -224,6 +191,16 @@ std::string_view condition_title(Condition condition) {
                                                    "faces parallel to 1e-3 ... 1e-12 rad",
                                                    "gap or depth 1e-3 ... 1e-12 of the size"};
   return titles.at(static_cast<std::size_t>(condition));
+}
+
+void JudgedCell::add(const Case& one, Quad truth) {
+  const double size = 2 * (bounding_radius(solids_a[one.a]) + bounding_radius(solids_b[one.b]));
+  const Point &p = one.pose_a.position, &q = one.pose_b.position;
+  const double apart = std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]);
+  cases.push_back(one);
+  truths.push_back(truth);
+  sizes.push_back(size);
+  roundings.push_back(64 * std::numeric_limits<double>::epsilon() * (size / 2 + apart));  // as in the property tests
 }
 
 JudgedCell JudgedCell::only(const std::vector<std::size_t>& chosen) const {
@@ -255,7 +232,7 @@ AccuracyScenes::Pool& AccuracyScenes::pool(Form form, Kind kind) {
     for (std::size_t i = 0; i < count && form != Form::ordinary; ++i) {
       const bool is_first_half = i < count / 2;
       Solid& solid = pool.solids[i];
-      solid = form == Form::thin ? made_thin(std::move(solid), is_first_half)
+      solid = form == Form::thin ? made_thin(std::move(solid), is_first_half, aspect)
                                  : scaled(std::move(solid), is_first_half ? giant : speck);
       if (is_hull(kind)) {
         find_surface(solid);
@@ -270,7 +247,7 @@ AccuracyScenes::Pool& AccuracyScenes::pool(Form form, Kind kind) {
 
 std::optional<JudgedCell> AccuracyScenes::make(Query query, Condition condition, Kind kind_a, Kind kind_b,
                                                std::size_t count) {
-  if (!is_judged(query, kind_a, kind_b) || !makes_sense(condition, kind_a, kind_b)) {
+  if (!is_judged(query, kind_a, kind_b) || !makes_sense(query, condition, kind_a, kind_b)) {
     return std::nullopt;
   }
   Pool &a = pool(form_of(condition), kind_a), &b = pool(form_of(condition), kind_b);
@@ -285,8 +262,18 @@ std::optional<JudgedCell> AccuracyScenes::make(Query query, Condition condition,
     const Case one = draws.next();
     const std::optional<Quad> truth =
         true_distance(a.judges[one.a], one.pose_a, b.judges[one.b], one.pose_b, query == Query::depth);
-    if (truth && draws.is_wanted(*truth)) {
-      add(cell, one, *truth);
+    if (!truth || !draws.is_wanted(*truth)) {
+      continue;
+    }
+    if (query != Query::cast) {
+      cell.add(one, *truth);
+      continue;
+    }
+    const Quad share = true_cast(a.judges[one.a], one.pose_a, b.judges[one.b], one.pose_b, one.motion);
+    // What passes has no share to be compared.
+    if (share < 1) {
+      cell.add(one, share);
+      cell.sizes.back() /= std::hypot(one.motion[0], one.motion[1], one.motion[2]);
     }
   }
   return cell.cases.empty() ? std::nullopt : std::optional(std::move(cell));

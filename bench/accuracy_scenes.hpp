@@ -28,9 +28,10 @@ struct JudgedCell {
   std::vector<Solid> solids_a, solids_b;
   std::vector<Case> cases;
   std::vector<oracle::Quad> truths;  // one for each case
-  std::vector<double> sizes;         // sum of the diameters of both
+  std::vector<double> sizes;         // sum of the diameters of both; of a cast by the length of the motion
   std::vector<double> roundings;     // what coordinates of both relative to each other may be off by
 
+  void add(const Case& one, oracle::Quad truth);
   [[nodiscard]] Cell cell() const { return {solids_a, solids_b, cases}; }
   [[nodiscard]] JudgedCell only(const std::vector<std::size_t>& chosen) const;
 };

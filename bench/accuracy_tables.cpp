@@ -43,7 +43,7 @@ void print_row(const Row& row) {
   const auto& [middle, tail, worst] = errors_of(row);
   const std::string name(entrants()[row.entrant].name);
   std::printf("%-16s %6zu %6zu %10.1f %9s %9s %9s %7zu %8s %7s %6s\n", name.c_str(), row.pairs, row.cases,
-              row.nanoseconds, middle.c_str(), tail.c_str(), worst.c_str(), row.failed,
+              row.nanoseconds, middle.c_str(), tail.c_str(), worst.c_str(), row.failed.total(),
               count_text(row.broken, &Broken::outside).c_str(), count_text(row.broken, &Broken::beyond).c_str(),
               count_text(row.broken, &Broken::wide).c_str());
 }
@@ -115,7 +115,8 @@ void write_rows(const std::filesystem::path& path, std::span<const Row> rows) {
     const Errors errors = errors_of(row);
     file << query_name(row.query) << ',' << condition_name(row.condition) << ',' << row.pair << ','
          << entrants()[row.entrant].name << ',' << number("%.1f", row.nanoseconds) << ',' << or_nothing(errors.median)
-         << ',' << or_nothing(errors.tail) << ',' << or_nothing(errors.worst) << ',' << row.cases << ',' << row.failed;
+         << ',' << or_nothing(errors.tail) << ',' << or_nothing(errors.worst) << ',' << row.cases << ','
+         << row.failed.total();
     for (const auto which : {&Broken::outside, &Broken::beyond, &Broken::wide}) {
       file << ',' << or_nothing(count_text(row.broken, which));
     }

@@ -16,17 +16,20 @@
 #include <string>
 #include <vector>
 
+#include "flags.hpp"
 #include "response.hpp"
 #include "response_picture.hpp"
 
 namespace bench {
 namespace {
 
-constexpr const char* usage = R"(usage: abut_bench_response [--out FOLDER] [--only TEXT]
+constexpr const char* usage = R"(usage: abut_bench_response [--out FOLDER] [--json FILE] [--only TEXT] [--seconds N]
 
 Prints tables of time and error, and writes response.csv and response.svg.
   --out FOLDER   where the files go (out/response)
+  --json FILE    also writes all rows there, each with its error over time
   --only TEXT    only trials that have this in their name, such as rolling
+  --seconds N    a run that takes longer is told up to there (60)
 )";
 
 double square(const Vector3& v) { return v[0] * v[0] + v[1] * v[1] + v[2] * v[2]; }
@@ -161,8 +164,10 @@ std::vector<Engine> engines() {
   return out;
 }
 
-Measured measure(const Trial& trial, const Engine& engine, const Effort& effort) {
-  Measured out{.trial = trial.name, .error_name = trial.error, .engine = engine.name, .effort = effort.name};
+Measured measure(const Trial& trial, const Engine& engine, const Effort& effort, double most_seconds) {
+  constexpr int points_of_course = 50;
+  Measured out{
+      .trial = trial.name, .error_name = trial.error, .engine = engine.name, .effort = effort.name, .course = {}};
   const std::unique_ptr<Mover> mover = engine.make(trial.world, effort);
   const int steps = static_cast<int>(std::lround(trial.time / trial.step));
   std::chrono::duration<double> spent{};
@@ -171,9 +176,9 @@ Measured measure(const Trial& trial, const Engine& engine, const Effort& effort)
     mover->push(0, trial.force);
     mover->step(trial.step);
     spent += std::chrono::steady_clock::now() - start;
-    out.error += trial.error_now(*mover, i * trial.step) / steps;
-    // A run that takes so long is told up to there.
-    constexpr double most_seconds = 60;
+    const double error = trial.error_now(*mover, i * trial.step);
+    out.error += error / steps;
+    if (i % std::max(1, steps / points_of_course) == 0) out.course.push_back({i * trial.step, error});
     if (spent.count() > most_seconds) {
       out.error *= static_cast<double>(steps) / i;
       out.milliseconds = 1e3 * spent.count() / i;
@@ -185,17 +190,21 @@ Measured measure(const Trial& trial, const Engine& engine, const Effort& effort)
   return out;
 }
 
-int run(const std::vector<std::string>& words) {
-  std::filesystem::path folder = "out/response";
+void run(const std::vector<std::string>& words) {
+  std::filesystem::path folder = "out/response", json;
   std::string only;
-  for (std::size_t i = 0; i < words.size(); i += 2) {
-    const std::string value = i + 1 < words.size() ? words[i + 1] : "";
-    if (words[i] == "--out" && !value.empty()) {
+  std::size_t seconds = 60;
+  for (const auto& [name, value] : flags_of(words, usage)) {
+    if (name == "--out" && !value.empty()) {
       folder = value;
-    } else if (words[i] == "--only") {
+    } else if (name == "--json" && !value.empty()) {
+      json = value;
+    } else if (name == "--only") {
       only = value;
+    } else if (name == "--seconds") {
+      seconds = count_of(name, value);
     } else {
-      throw std::runtime_error("'" + words[i] + "' makes no sense here\n" + usage);
+      refuse(name, usage);
     }
   }
   const std::array trials{rolling("rolling along y", 0, 1),
@@ -211,7 +220,7 @@ int run(const std::vector<std::string>& words) {
     std::printf("\n%s, steps of %g s for %g s: %s\n", trial.name.c_str(), trial.step, trial.time, trial.error.c_str());
     for (const Engine& engine : engines()) {
       for (const Effort& effort : engine.efforts) {
-        const Measured& its = all.emplace_back(measure(trial, engine, effort));
+        const Measured& its = all.emplace_back(measure(trial, engine, effort, static_cast<double>(seconds)));
         std::printf("  %-12s %-18s %10.4f ms a step %12.3g\n", its.engine.c_str(), its.effort.c_str(), its.milliseconds,
                     its.error);
         std::fflush(stdout);
@@ -221,20 +230,10 @@ int run(const std::vector<std::string>& words) {
   std::filesystem::create_directories(folder);
   write_table(folder / "response.csv", all);
   draw_errors(folder / "response.svg", all);
-  return 0;
+  if (!json.empty()) write_json(json, all);
 }
 
 }  // namespace
 }  // namespace bench
 
-int main(int count, char** words) {
-  try {
-    std::vector<std::string> given(words + 1, words + count);
-    // Flags that scripts/bench hands to all suites.
-    std::erase_if(given, [](const std::string& word) { return word.starts_with("--benchmark_"); });
-    return bench::run(given);
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "%s\n", error.what());
-    return 1;
-  }
-}
+int main(int count, char** words) { return bench::main_of(count, words, bench::usage, bench::run); }

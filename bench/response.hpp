@@ -25,6 +25,7 @@ struct MovingWorld {
   double friction = 0;         // of bodies among themselves
   double ground_friction = 0;  // of boxes with the ground; balls have that of bodies
   double restitution = 0;
+  double stiffness = 0;  // of contacts, N/m; 0: rigid
   double gravity = 9.81;
   double reach = 1e-3;  // as far ahead as contacts are to be seen, where an engine can
 };
@@ -34,6 +35,7 @@ struct Effort {
   std::string name;
   int iterations = 0;
   double tolerance = 0;
+  bool by_midpoint = false;  // abut: how bodies are integrated, else by implicit Euler
 };
 
 class [[gnu::visibility("default")]] Mover {

@@ -28,13 +28,18 @@ class AbutMover final : public Mover {
       const abut::PartId part =
           universe_.create_part(abut::PartOptions().with_pose(abut::pose(vector_of(body.position))));
       universe_.create_geometry(part, shape, touching.with_material(body.is_box ? 2 : 3));
-      response_.add_body(part, abut::BodyOptions().with_density(body.mass / abut::mass_properties(shape, 1).mass));
+      const abut::BodyOptions heavy =
+          abut::BodyOptions().with_density(body.mass / abut::mass_properties(shape, 1).mass);
+      response_.add_body(part, effort.by_midpoint ? heavy.with_integrator(ABUT_INTEGRATOR_MIDPOINT) : heavy);
       universe_.set_velocity(part, abut::Velocity{vector_of(body.velocity), {0, 0, 0}});
       parts_.push_back(part);
     }
     const auto rub = [&](std::uint32_t a, std::uint32_t b, double friction) {
-      universe_.set_material_pair(
-          a, b, abut::ContactMaterial().with_friction(friction, friction).with_restitution(world.restitution));
+      universe_.set_material_pair(a, b,
+                                  abut::ContactMaterial()
+                                      .with_friction(friction, friction)
+                                      .with_restitution(world.restitution)
+                                      .with_compliance(world.stiffness > 0 ? 1 / world.stiffness : 0));
     };
     rub(1, 2, world.ground_friction);
     rub(1, 3, world.friction);

@@ -17,6 +17,8 @@ class BulletMover final : public Mover {
     world_.setGravity(btVector3(0, 0, -world.gravity));
     world_.getSolverInfo().m_numIterations = effort.iterations;
     world_.getSolverInfo().m_solverMode |= SOLVER_USE_2_FRICTION_DIRECTIONS;
+    // Beyond some depth it would push springs apart without velocity.
+    if (world.stiffness > 0) world_.getSolverInfo().m_splitImpulse = 0;
     add(std::make_unique<btStaticPlaneShape>(btVector3(0, 0, 1), 0), 0, {}, {}, 1, std::sqrt(world.restitution));
     // Bullet multiplies frictions and restitutions of the two: here the friction of the ground is 1.
     const double box = world.ground_friction > 0 ? world.ground_friction : 1;
@@ -34,6 +36,9 @@ class BulletMover final : public Mover {
       add(std::move(shape), body.mass, body.position, body.velocity, friction, std::sqrt(world.restitution));
     }
     if (!(world.ground_friction > 0)) bodies_.front()->setFriction(std::sqrt(world.friction));
+    // Springs in series, half of the give in each.
+    for (const auto& body : bodies_)
+      if (world.stiffness > 0) body->setContactStiffnessAndDamping(2 * world.stiffness, 0);
   }
   ~BulletMover() override {
     for (const auto& body : bodies_) world_.removeRigidBody(body.get());

@@ -56,6 +56,7 @@ class OdeMover final : public Mover {
     dBodyAddForce(bodies_[body], force[0], force[1], force[2]);
   }
   void step(double dt) override {
+    dt_ = dt;
     dSpaceCollide(space_, this, &OdeMover::examine);
     if (iterations_ > 0) {
       dWorldQuickStep(world_, dt);
@@ -94,12 +95,19 @@ class OdeMover final : public Mover {
         contact.surface.bounce = its.like_.restitution;
         contact.surface.bounce_vel = 1e-3;
       }
+      if (its.like_.stiffness > 0) {
+        // Implicit Euler of a spring without damping.
+        contact.surface.mode |= dContactSoftERP | dContactSoftCFM;
+        contact.surface.soft_erp = 1;
+        contact.surface.soft_cfm = 1 / (its.dt_ * its.like_.stiffness);
+      }
       dJointAttach(dJointCreateContact(its.world_, its.joints_, &contact), dGeomGetBody(a), dGeomGetBody(b));
     }
   }
 
   MovingWorld like_;
   int iterations_;
+  double dt_ = 0;
   dWorldID world_ = nullptr;
   dSpaceID space_ = nullptr;
   dJointGroupID joints_ = nullptr;

@@ -4,9 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <fstream>
 #include <limits>
-#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -100,17 +98,6 @@ class Panel {
 };
 
 }  // namespace
-
-void write_table(const std::filesystem::path& path, const std::vector<Measured>& all) {
-  std::ofstream file(path);
-  file.precision(6);
-  file << "trial,engine,effort,milliseconds_a_step,error,error_is\n";
-  for (const Measured& row : all) {
-    file << row.trial << ',' << row.engine << ',' << row.effort << ',' << row.milliseconds << ',' << row.error << ",\""
-         << row.error_name << "\"\n";
-  }
-  if (!file) throw std::runtime_error("cannot write " + path.string());
-}
 
 void draw_errors(const std::filesystem::path& path, const std::vector<Measured>& all) {
   std::vector<std::vector<Measured>> panels;

@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::string_view stepping = "--steps --dt --threads --json";
 
-constexpr std::array<CommandRow, 12> rows{
+constexpr std::array<CommandRow, 13> rows{
     {{Command::run, "run", "SCENE", "steps a scene, writes contacts and events, prints counts and times",
       "--steps --dt --threads --contacts --events --quiet --json"},
      {Command::explain, "explain", "SCENE", "steps a scene, prints what the last step did and why", stepping},
@@ -24,6 +24,8 @@ constexpr std::array<CommandRow, 12> rows{
       stepping},
      {Command::picture, "picture", "SCENE PICTURE", "draws a scene and its contacts as a PNG",
       "--steps --dt --threads --size --from --to --up"},
+     {Command::lean, "lean", "SCENE", "prints the line that configures a build with what a scene needs, and no more",
+      "--json"},
      {Command::shapes, "shapes", "", "lists the kinds of shapes and their parameters", "--json"},
      {Command::completion, "completion", "SHELL", "prints completion for bash, zsh or fish", ""},
      {Command::manual, "manual", "", "prints the manual page, for man -l -", ""},

@@ -19,6 +19,7 @@ enum class Command : std::uint8_t {
   distance,
   pairs,
   picture,
+  lean,
   shapes,
   completion,
   manual,

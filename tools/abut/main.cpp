@@ -14,6 +14,7 @@
 #include "failures.hpp"
 #include "help.hpp"
 #include "interruption.hpp"
+#include "lean.hpp"
 #include "output_file.hpp"
 #include "pairs.hpp"
 #include "picture.hpp"
@@ -33,6 +34,7 @@ Status obey(const Arguments& arguments) {
     case Command::distance: print_distance(arguments); break;
     case Command::pairs: list_pairs(arguments); break;
     case Command::picture: draw_scene(arguments); break;
+    case Command::lean: print_lean_build(arguments); break;
     case Command::completion: print(completion_for(arguments.operands[0])); break;
     case Command::manual: print(manual_page()); break;
   }

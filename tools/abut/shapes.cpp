@@ -70,6 +70,7 @@ ShapeOwner Shapes::make(const Node& node) {
     const std::vector<std::string> known = kind_names();
     kind.refuse("a kind of shape of this build: " + listing(known) + suggestion(kind.text(), known));
   }
+  kinds_.insert(kind.text());
   ShapeOwner shape = kind.text() == "composite" ? make_composite(fields) : make_simple(fields, kind.text());
   fields.done();
   return shape;

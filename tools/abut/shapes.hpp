@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <set>
 #include <string>
@@ -28,6 +29,9 @@ class Shapes {
   /// Lets go of the document; nothing can be resolved from then on.
   void forget_document() { declarations_.reset(); }
 
+  /// Names of the kinds of all shapes, children of composites among them.
+  [[nodiscard]] const std::set<std::string, std::less<>>& kinds() const { return kinds_; }
+
   [[nodiscard]] std::size_t count() const { return named_.size() + unnamed_.size(); }
 
  private:
@@ -47,6 +51,7 @@ class Shapes {
   std::vector<ShapeOwner> unnamed_;
   std::map<const abut_shape*, std::vector<Child>> children_;  // of composites
   std::set<std::string> in_progress_;
+  std::set<std::string, std::less<>> kinds_;
 };
 
 }  // namespace cli

@@ -1,0 +1,67 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
+"""Measures abut beside its peers and writes a page about it.
+
+usage: report.py [--quick] [--only PART]... [--build FOLDER] [--lean FOLDER]... [--from FILE] [--compare FILE] [--out FOLDER]
+"""
+
+import argparse
+import json
+import sys
+from pathlib import Path
+
+import compare
+import document
+import page
+
+
+def arguments():
+    parser = argparse.ArgumentParser(description="Measures abut beside its peers; writes report.json and index.html.")
+    parser.add_argument("--quick", action="store_true", help="few cases and short runs, at most 3 minutes")
+    parser.add_argument("--only", action="append", metavar="PART", help="accuracy, extremes, response, response_maps, steadiness or builds")
+    parser.add_argument("--build", type=Path, help="the build whose programs run")
+    parser.add_argument("--lean", type=Path, action="append", default=[], metavar="FOLDER", help="another build, to be weighed beside")
+    parser.add_argument("--from", dest="source", type=Path, metavar="FILE", help="draws a report.json; measures nothing")
+    parser.add_argument("--compare", type=Path, metavar="FILE", help="prints what got slower or less exact since that report.json")
+    parser.add_argument("--out", type=Path, help="where index.html and report.json go")
+    return parser.parse_args()
+
+
+def measured(its):
+    import builds_measure
+    import measure
+
+    parts = [*measure.PROGRAMS, "builds"]
+    for name in its.only or []:
+        if name not in parts:
+            raise document.Wrong(f"--only is {name}; there are: {', '.join(parts)}")
+    build = its.build or measure.ROOT / "build" / "release"
+    report = measure.run(build, its.quick, its.only)
+    if not its.only or "builds" in its.only:
+        report["builds"] = {"rows": builds_measure.rows(build, its.lean)}
+    return document.check(report)
+
+
+def main():
+    its = arguments()
+    report = document.read(its.source) if its.source else measured(its)
+    old = document.read(its.compare) if its.compare else None
+    out = its.out or (its.source.parent if its.source else Path(__file__).resolve().parents[2] / "out" / "report")
+    out.mkdir(parents=True, exist_ok=True)
+    if not its.source:
+        (out / "report.json").write_text(json.dumps(report) + "\n", encoding="utf-8")
+    (out / "index.html").write_text(page.render(report), encoding="utf-8")
+    print(out / "index.html")
+    if old:
+        lines = list(compare.differences(old, report))
+        print("\n".join(lines) if lines else "nothing got slower or less exact beyond noise")
+        return 1 if lines else 0
+    return 0
+
+
+if __name__ == "__main__":
+    try:
+        sys.exit(main())
+    except document.Wrong as error:
+        print(f"report: {error}", file=sys.stderr)
+        sys.exit(2)

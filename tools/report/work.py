@@ -1,0 +1,139 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Error over run time: a panel for each question and class of pair, and one for each hard condition."""
+
+import math
+import statistics
+
+import chart
+import words
+
+CLASSES = {"sphere": "round", "capsule": "round", "box": "polytope", "hull32": "polytope", "hull200": "polytope",
+           "cylinder": "curved", "cone": "curved", "ellipsoid": "curved"}
+ORDER = ("round", "polytope", "curved")
+QUESTIONS = {"distance": "distance of pairs that are apart", "depth": "depth of pairs that overlap",
+             "contacts": "depth of the deepest contact", "cast": "share of a motion at the first touch"}
+CONDITIONS = {"ordinary": "ordinary", "thin": "needles and plates, aspect 1e6", "size_ratio": "size ratio 1e9",
+              "far": "1e9 sizes from the origin", "parallel": "parallel to 1e-3 ... 1e-12 rad",
+              "touching": "gap or depth 1e-3 ... 1e-12 of the size"}
+FLOOR = 1e-18  # errors below it, 0 among them, are drawn there
+
+
+def class_of(pair):
+    """Such as "round and polytope" of "box-sphere"."""
+    classes = sorted((CLASSES.get(kind, kind) for kind in pair.split("-")), key=lambda name: (ORDER + (name,)).index(name))
+    return " and ".join(classes)
+
+
+def together(rows):
+    """Rows of several pairs of kinds by one contender as one: the median of times and medians, else the worst."""
+    def values(name):
+        return [row[name] for row in rows if row.get(name) is not None]
+
+    times = [row["nanoseconds"] for row in rows if row["nanoseconds"] > 0]
+    failures = {name: sum(row["failures"].get(name, 0) for row in rows) for name in words.FAILURES}
+    worst = max(rows, key=lambda row: (words.failed(row) > 0, row.get("worst") or 0))
+    return {"question": rows[0]["question"], "contender": rows[0]["contender"], "pairs": len(rows),
+            "nanoseconds": statistics.median(times) if times else 0,
+            "median": statistics.median(values("median")) if values("median") else None,
+            "p99": max(values("p99"), default=None), "worst": max(values("worst"), default=None),
+            "cases": sum(row["cases"] for row in rows), "failures": failures, "worst_pair": worst.get("worst_pair")}
+
+
+def grouped(rows, key):
+    groups = {}
+    for row in rows:
+        groups.setdefault(key(row), []).append(row)
+    return groups
+
+
+def _height(value):
+    return max(value, FLOOR)
+
+
+def _curve(axes, points):
+    """Error bounds of abut, from the coarsest on."""
+    bounds = sorted((row for row in points if row["contender"].startswith("abut 1e-") and row["p99"] is not None),
+                    key=lambda row: -float(row["contender"].split()[1]))
+    if len(bounds) > 1:
+        axes.plot([row["nanoseconds"] for row in bounds], [_height(row["p99"]) for row in bounds], color=chart.style_of("abut 1e-2")[0],
+                  linewidth=1, zorder=2)
+
+
+def _panel(title, points, book):
+    figure, axes = chart.new()
+    drawn = [row for row in points if row["p99"] is not None and row["nanoseconds"] > 0]
+    axes.set(xscale="log", yscale="log", title=title, xlabel="time of one question", ylabel="error by the size")
+    _curve(axes, drawn)
+    for row in drawn:
+        colour, marker = chart.style_of(row["contender"])
+        is_hollow = words.failed(row) > 0.01 * row["cases"]
+        low, middle, high = (_height(row[name]) for name in ("median", "p99", "worst"))
+        axes.plot([row["nanoseconds"]] * 2, [low, high], color=colour, linewidth=1, alpha=0.6, zorder=1)
+        axes.plot([row["nanoseconds"]], [high], color=colour, marker="_", markersize=6, zorder=2)
+        mark = axes.scatter([row["nanoseconds"]], [middle], s=14 if row["contender"].startswith("abut 1e-") else 34, marker=marker, linewidths=1.1, zorder=3, edgecolors=colour,
+                            facecolors=chart.GROUND if is_hollow else colour)
+        anchor = book.anchor("accuracy", row)
+        mark.set_urls([f"#{anchor}" if anchor else ""])
+    if drawn:
+        times = [math.log10(row["nanoseconds"]) for row in drawn]
+        low, high = math.floor(min(times)), max(math.ceil(max(times)), math.floor(min(times)) + 2)
+        axes.set_xlim(10.0 ** low, 10.0 ** high)
+        ticks = list(range(low, high + 1))
+        axes.set_xticks([10.0 ** tick for tick in ticks], [words.time(10.0 ** tick) for tick in ticks])
+        axes.xaxis.set_minor_formatter(chart.matplotlib.ticker.NullFormatter())
+    axes.set_ylim(FLOOR / 3, 3)
+    chart.power_labels(axes.yaxis, (-18, 0), 7)
+    axes.grid(True)
+    return chart.svg(figure, f"{title}: error over time, {len(drawn)} contenders")
+
+
+def _table(points, book):
+    head = ["contender", "time", "median", "99 %", "worst", "cases", "failed"]
+    rows = []
+    for row in points:
+        anchor = book.anchor("accuracy", row)
+        rows.append([row["contender"], words.time(row["nanoseconds"]), words.error(row["median"]), words.error(row["p99"]),
+                     {"text": words.error(row["worst"]), "link": anchor}, str(row["cases"]), words.failures(row)])
+    return {"head": head, "rows": rows}
+
+
+def _one(title, rows, book):
+    points = [together(group) for group in grouped(rows, lambda row: row["contender"]).values()]
+    return {"svg": _panel(title, points, book), "table": _table(points, book), "caption": title}
+
+
+def sections(document, book):
+    rows = document["accuracy"]["rows"]
+    contenders = list(dict.fromkeys(row["contender"] for row in rows))
+    for question, what in QUESTIONS.items():
+        of_question = [row for row in rows if row["question"] == question]
+        if not of_question:
+            continue
+        ordinary = grouped([row for row in of_question if row["condition"] == "ordinary"], lambda row: class_of(row["pair"]))
+        hard = grouped(of_question, lambda row: row["condition"])
+        figures = [_one(name, group, book) for name, group in ordinary.items()]
+        figures += [_one(CONDITIONS.get(name, name), group, book) for name, group in hard.items() if name != "ordinary"]
+        yield {"id": f"work-{question}", "title": f"Error over time: {what}", "figures": figures,
+               "keys": [name for name in contenders if any(row["contender"] == name for row in of_question)],
+               "text": ["Ordinary pairs by their classes first, then hard conditions with all pairs together. Left is faster, lower is more "
+                        "exact. A mark is the time of one question and the error that 99 % of the answers keep; its line goes from the "
+                        "median to the worst. It is hollow where more than one answer in a hundred failed. It leads to the pair that was worst."]}
+
+
+def promises(document):
+    """Of each error bound that abut was asked for: the worst error as a part of it, by class of pair."""
+    rows = [row for row in document["accuracy"]["rows"] if row["contender"].startswith("abut 1e-") and row["question"] != "cast"]
+    head = ["question", "bound asked", "worst error / bound", "time", "failed", "beyond the bound", "outside of its interval"]
+    table = []
+    for (question, contender), group in grouped(rows, lambda row: (row["question"], row["contender"])).items():
+        bound = float(contender.split()[1])
+        worst = max((row.get("worst") or 0 for row in group), default=0)
+        broken = [row["broken"] for row in group if "broken" in row]
+        sums = [str(sum(one[name] for one in broken)) if broken else "-" for name in ("beyond", "outside")]
+        table.append([question, words.error(bound), f"{worst / bound:.2g}", words.time(together(group)["nanoseconds"]),
+                      str(sum(words.failed(row) for row in group)), *sums])
+    if table:
+        yield {"id": "promises", "title": "What error bounds cost, and whether they are kept", "figures": [], "keys": [],
+               "tables": [{"head": head, "rows": table}],
+               "text": ["Over all conditions and pairs. The worst error may exceed a narrow bound by the rounding of the coordinates, which "
+                        "the columns to the right leave out."]}
