@@ -11,7 +11,6 @@
 #include <utility>
 #include <vector>
 
-#include "accuracy_picture.hpp"
 #include "accuracy_file.hpp"
 #include "accuracy_rows.hpp"
 #include "accuracy_scenes.hpp"
@@ -27,8 +26,8 @@ constexpr std::array kinds{Kind::sphere, Kind::capsule,   Kind::box,    Kind::cy
 
 constexpr const char* usage = R"(usage: abut_bench_accuracy [--out FOLDER] [--cases N] [--repetitions N] [--only TEXT]
 
-Prints tables of time and error, and writes accuracy.csv, distance.svg and depth.svg.
-  --out FOLDER      where the files go (out/accuracy)
+Prints tables of time and error, and writes accuracy.csv.
+  --out FOLDER      where accuracy.csv goes (out/accuracy)
   --cases N         placed pairs for each pair of kinds, question and condition (32)
   --repetitions N   of each timing (5)
   --only TEXT       only what has this in its name, such as depth/ordinary/box-hull32
@@ -125,8 +124,6 @@ void run(const Flags& flags) {
   print_tables(rows);
   print_prices(rows);
   write_rows(flags.out / "accuracy.csv", rows);
-  write_picture(flags.out / "distance.svg", rows, Query::distance);
-  write_picture(flags.out / "depth.svg", rows, Query::depth);
   if (!flags.json.empty()) {
     written.file.write(flags.json, {{"cases", flags.cases}, {"repetitions", flags.repetitions}});
   }

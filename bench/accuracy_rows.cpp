@@ -7,6 +7,7 @@
 #include <ctime>
 #include <numeric>
 
+#include "accuracy_solids.hpp"
 #include "accuracy_survivors.hpp"
 #include "statistics.hpp"
 
@@ -24,8 +25,8 @@ double bound_of(const AbutQuery& asked, const JudgedCell& cell) {
   if (asked.error_bound > 0) {
     return asked.error_bound;
   }
-  const bool is_curved = cell.solids_a.front().kind == Kind::cylinder || cell.solids_b.front().kind == Kind::cylinder;
-  return is_curved ? usual_bound_of_curves : usual_bound;
+  const bool has_curved = is_curved(cell.solids_a.front().kind) || is_curved(cell.solids_b.front().kind);
+  return has_curved ? usual_bound_of_curves : usual_bound;
 }
 
 // libccd promises no bounds.
@@ -55,15 +56,17 @@ Broken broken_by(const AbutQuery& asked, const JudgedCell& cell, std::span<const
 }
 
 // `kept`: the numbers of the cases among all that were asked.
-void add_errors(const AbutQuery& asked, const JudgedCell& cell, std::span<const Answer> answers,
+void add_errors(Query query, const AbutQuery& asked, const JudgedCell& cell, std::span<const Answer> answers,
                 std::span<const std::size_t> kept, Row& row) {
   double most = -1;
   for (std::size_t i = 0; i < answers.size(); ++i) {
     const double found = answers[i].distance, error = std::fabs(minus(found, cell.truths[i])) / cell.sizes[i];
-    const bool is_other_side = (found < 0) != (cell.truths[i] < 0);
-    const bool is_wrong = is_other_side && error > std::max(wrong_side, asked.error_bound);
+    const bool is_far_off = error > std::max(wrong_side, asked.error_bound);
+    const bool is_wrong = (found < 0) != (cell.truths[i] < 0) && is_far_off;
+    // Two that overlap by so little may have no contact.
+    const bool is_answered = answers[i].points > 0 || (query == Query::contacts && !is_far_off);
     const bool is_first_failure = row.failed.total() == 0;
-    if (answers[i].points == 0) {
+    if (!is_answered) {
       ++row.failed.none;
     } else if (!std::isfinite(found)) {
       ++row.failed.not_finite;
@@ -146,7 +149,7 @@ std::optional<Ready> ready(const Entrant& entrant, Query query, const JudgedCell
   result.answers.resize(cell.cases.size());
   if (result.contender) {
     result.contender->answer(result.answers);
-    add_errors(entrant.asked, cell, result.answers, kept, result.row);
+    add_errors(query, entrant.asked, cell, result.answers, kept, result.row);
   }
   if (entrant.make == nullptr && (query == Query::distance || query == Query::depth)) {
     result.row.broken = broken_by(entrant.asked, cell, result.answers);

@@ -33,8 +33,6 @@ std::size_t wanted_cases(Query query, Kind a, Kind b, std::size_t count) {
 
 bool is_round(Kind kind) { return kind == Kind::sphere || kind == Kind::capsule; }
 
-bool is_curved(Kind kind) { return kind == Kind::cylinder || kind == Kind::cone || kind == Kind::ellipsoid; }
-
 // Depths of a curved solid are known only where the core of the other shape, a point or a segment, is outside of it.
 bool is_judged(Query query, Kind a, Kind b) {
   const bool has_curved = is_curved(a) || is_curved(b);

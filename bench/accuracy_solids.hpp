@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// Solids out of proportion, made of ordinary ones.
+// Kinds of solids, and solids out of proportion.
 #pragma once
 #include "scene.hpp"
 
 namespace bench {
+
+[[nodiscard]] constexpr bool is_curved(Kind kind) {
+  return kind == Kind::cylinder || kind == Kind::cone || kind == Kind::ellipsoid;
+}
 
 // Thin along two axes or along one; a sphere stays as it is, and a capsule can only be a needle. The points of a hull
 // move; its surface is left to the caller.

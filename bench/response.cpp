@@ -18,15 +18,15 @@
 
 #include "flags.hpp"
 #include "response.hpp"
-#include "response_picture.hpp"
+#include "response_file.hpp"
 
 namespace bench {
 namespace {
 
 constexpr const char* usage = R"(usage: abut_bench_response [--out FOLDER] [--json FILE] [--only TEXT] [--seconds N]
 
-Prints tables of time and error, and writes response.csv and response.svg.
-  --out FOLDER   where the files go (out/response)
+Prints tables of time and error, and writes response.csv.
+  --out FOLDER   where response.csv goes (out/response)
   --json FILE    also writes all rows there, each with its error over time
   --only TEXT    only trials that have this in their name, such as rolling
   --seconds N    a run that takes longer is told up to there (60)
@@ -229,7 +229,6 @@ void run(const std::vector<std::string>& words) {
   }
   std::filesystem::create_directories(folder);
   write_table(folder / "response.csv", all);
-  draw_errors(folder / "response.svg", all);
   if (!json.empty()) write_json(json, all);
 }
 

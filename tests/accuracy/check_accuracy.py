@@ -1,23 +1,26 @@
 # SPDX-License-Identifier: Apache-2.0
 """Runs the benchmark of errors on a few pairs and checks what it writes. No time is judged.
 
-usage: check_accuracy.py PROGRAM
+usage: check_accuracy.py PROGRAM ABUT
 """
 
 import csv
+import json
+import os
 import pathlib
 import subprocess
 import sys
 import tempfile
 import unittest
-import xml.etree.ElementTree
 
-program = ""
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "tools" / "report"))
+import pairs  # noqa: E402
+
+program, abut = "", ""
 
 BOUNDS = {"abut 1e-2": 1e-2, "abut 1e-4": 1e-4, "abut 1e-6": 1e-6, "abut 1e-9": 1e-9, "abut 1e-12": 1e-12}
 # What coordinates of 53 bits leave, relative to the size.
 ROUNDING = 1e-13
-SVG = "{http://www.w3.org/2000/svg}"
 
 
 def run(*arguments):
@@ -29,11 +32,13 @@ class Accuracy(unittest.TestCase):
     def setUpClass(cls):
         cls.folder = tempfile.TemporaryDirectory()
         cls.out = pathlib.Path(cls.folder.name) / "new" / "folder"
-        cls.result = run("--out", str(cls.out), "--cases", "3", "--repetitions", "1", "--only", "/ordinary/")
+        cls.result = run("--out", str(cls.out), "--cases", "3", "--repetitions", "1", "--only", "/ordinary/", "--json",
+                         str(cls.out / "accuracy.json"))
         cls.rows = []
         if (cls.out / "accuracy.csv").exists():
             with open(cls.out / "accuracy.csv", newline="", encoding="ascii") as file:
                 cls.rows = list(csv.DictReader(file))
+            cls.json = json.loads((cls.out / "accuracy.json").read_text(encoding="utf-8"))
 
     @classmethod
     def tearDownClass(cls):
@@ -48,9 +53,11 @@ class Accuracy(unittest.TestCase):
             self.assertIn(words, self.result.stdout)
 
     def test_every_pair_with_an_oracle_is_asked(self):
-        self.assertEqual(len(self.of("distance", "abut")), 21)
-        # Depths of cylinders in boxes, cylinders and hulls are left out.
-        self.assertEqual(len(self.of("depth", "abut")), 17)
+        self.assertEqual(len(self.of("distance", "abut")), 36)
+        self.assertEqual(len(self.of("cast", "abut")), 36)
+        # Depths of curved solids in boxes, hulls and each other are left out.
+        self.assertEqual(len(self.of("depth", "abut")), 21)
+        self.assertEqual(len(self.of("contacts", "abut")), 21)
 
     def test_all_contenders_are_there(self):
         for question, count in (("distance", 10), ("depth", 15)):
@@ -76,16 +83,27 @@ class Accuracy(unittest.TestCase):
     def test_peers_have_no_intervals(self):
         self.assertEqual({row["outside"] for row in self.of("distance", "fcl")}, {""})
 
-    def test_pictures_have_a_mark_for_each_contender(self):
-        for question in ("distance", "depth"):
-            root = xml.etree.ElementTree.parse(self.out / f"{question}.svg").getroot()
-            words = {element.text for element in root.iter(f"{SVG}text")}
-            for row in self.rows:
-                if row["question"] == question:
-                    self.assertIn(row["contender"], words)
-            # In the panel and in the legend.
-            rings = [element for element in root.iter(f"{SVG}circle") if element.get("fill") == "#c6dbef"]
-            self.assertEqual(len(rings), 2)
+    def test_json_has_the_same_rows(self):
+        self.assertEqual([(row["question"], row["pair"], row["contender"], row["cases"]) for row in self.json["rows"]],
+                         [(row["question"], row["pair"], row["contender"], int(row["cases"])) for row in self.rows])
+        for one, other in zip(self.json["rows"], self.rows):
+            self.assertEqual(sum(one["failures"].values()), int(other["failed"]))
+            self.assertEqual(f"{one['worst']:.1e}" if "worst" in one else "", other["worst_error"])
+
+    def test_the_worst_pairs_are_what_was_asked(self):
+        """The command of the report: the program abut finds the true distance."""
+        path = {"PATH": str(pathlib.Path(abut).parent) + os.pathsep + os.environ["PATH"]}
+        for row in self.json["rows"]:
+            if row["contender"] != "fcl" or row["question"] not in ("distance", "depth"):
+                continue
+            with self.subTest(row=row):
+                command = pairs.command(self.json, row["worst_pair"]) + " --json"
+                result = subprocess.run(command, shell=True, env=os.environ | path, capture_output=True, text=True, check=False)
+                self.assertEqual(result.returncode, 0, result.stderr)
+                found = json.loads(result.stdout)["distances"][0]
+                truth = self.json["pairs"][row["worst_pair"]]["truth"]
+                self.assertLessEqual(found["lower"], truth + 1e-12)
+                self.assertGreaterEqual(found["upper"], truth - 1e-12)
 
     def test_mistakes_are_named(self):
         for arguments, word in ((["--cases", "0"], "--cases"), (["--cases"], "--cases"), (["--colour", "red"], "--colour"),
@@ -97,5 +115,5 @@ class Accuracy(unittest.TestCase):
 
 
 if __name__ == "__main__":
-    program = sys.argv.pop(1)
+    program, abut = sys.argv.pop(1), sys.argv.pop(1)
     unittest.main()

@@ -16,8 +16,8 @@ GRID = {"kind": "uv_grid", "axis_u": 0, "axis_v": 1, "cells_u": 1, "cells_v": 1,
 
 
 class Lean(program.Case):
-    def named(self, shapes, **more):
-        parts = [{"geometries": [{"shape": shape}]} for shape in shapes]
+    def named(self, of_parts, **more):
+        parts = [{"geometries": [{"shape": shape}]} for shape in of_parts]
         found = json.loads(self.succeed("lean", self.scene({"version": 1, "parts": parts} | more), "--json").stdout)
         self.assertIn(f'"ABUT_SHAPES={";".join(found["shapes"])}"', found["line"])
         self.assertIn(f'"ABUT_FEATURES={";".join(found["features"])}"', found["line"])

@@ -48,14 +48,14 @@ def key(name):
     points = []
     for corners, code in shape.iter_segments(simplify=False):
         letter = {1: "M", 2: "L", 3: "Q", 4: "C", 79: "Z"}[int(code)]
-        points.append(letter + ("" if letter == "Z" else " ".join(f"{value:.3f}" for value in corners)))
+        points.append(letter + ("" if letter == "Z" else " ".join(f"{value if i % 2 == 0 else -value:.3f}" for i, value in enumerate(corners))))
     return Markup(f'<svg class="key" viewBox="-.6 -.6 1.2 1.2" aria-hidden="true"><path d="{"".join(points)}" fill="{colour}"/></svg>')
 
 
 def new(height=3.2, left=0.72, width=4.2):
     """A figure with one panel; sizes and the room to the left of it are inches."""
     figure = plt.figure(figsize=(width, height))
-    below, above, right = 0.46, 0.3, 0.14
+    below, above, right = 0.46, 0.3, 0.28
     axes = figure.add_axes((left / width, below / height, (width - left - right) / width, (height - below - above) / height))
     return figure, axes
 

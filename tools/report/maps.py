@@ -21,7 +21,7 @@ def _label(value):
     power = round(math.log10(value), 1) if value > 0 else 0
     if power == int(power):
         return chart.superscript(int(power))
-    return f"{value:.2g}"
+    return f"{value:,.0f}" if value >= 2 else f"{value:.2g}"
 
 
 def _places(values):

@@ -11,14 +11,21 @@ def _height(value, floor):
     return max(value, floor) if value is not None and math.isfinite(value) else 1e12
 
 
+def _is_cut(row):
+    """Whether the run took too long and is told up to there."""
+    return row["effort"].endswith("steps)")
+
+
 def _over_run_time(trial, rows, floor):
     figure, axes = chart.new()
     axes.set(xscale="log", yscale="log", title=trial, xlabel="time of a step", ylabel=rows[0]["error_is"])
     for contender in dict.fromkeys(row["contender"] for row in rows):
         its = [row for row in rows if row["contender"] == contender]
         colour, marker = chart.style_of(contender)
-        axes.plot([row["milliseconds"] for row in its], [_height(row.get("error"), floor) for row in its], color=colour, marker=marker,
-                  markersize=5)
+        axes.plot([row["milliseconds"] for row in its], [_height(row.get("error"), floor) for row in its], color=colour)
+        for row in its:
+            axes.plot([row["milliseconds"]], [_height(row.get("error"), floor)], color=colour, marker=marker, markersize=6,
+                      markerfacecolor=chart.GROUND if _is_cut(row) else colour)
     _limit(axes, [_height(row.get("error"), floor) for row in rows])
     times = [math.log10(row["milliseconds"]) for row in rows if row["milliseconds"] > 0]
     low, high = math.floor(min(times)), max(math.ceil(max(times)), math.floor(min(times)) + 1)
@@ -43,7 +50,7 @@ def _over_time(trial, rows, floor):
         its = [row for row in rows if row["contender"] == contender and row["course"]]
         if not its:
             continue
-        best = min(its, key=lambda row: row["error"] if row.get("error") is not None else math.inf)
+        best = min(its, key=lambda row: (_is_cut(row), row["error"] if row.get("error") is not None else math.inf))
         values = [_height(error, floor) for _, error in best["course"]]
         drawn += values
         axes.plot([time for time, _ in best["course"]], values, color=chart.style_of(contender)[0], label=f"{contender} {best['effort']}")
@@ -70,4 +77,4 @@ def sections(document):
     yield {"id": "moving", "title": "Bodies that move: error over run time and over time", "figures": figures,
            "keys": list(dict.fromkeys(row["contender"] for row in rows)),
            "text": ["A curve over the time of a step joins the efforts of one solver: error bounds of abut, iterations of the others. Over the "
-                    "time of the scene each contender is shown at the effort with its least error."]}
+                    "time of the scene each contender is shown at the effort with its least error. A hollow mark is a run that took too long: it is told up to there."]}

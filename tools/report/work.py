@@ -70,7 +70,7 @@ def _panel(title, points, book):
         low, middle, high = (_height(row[name]) for name in ("median", "p99", "worst"))
         axes.plot([row["nanoseconds"]] * 2, [low, high], color=colour, linewidth=1, alpha=0.6, zorder=1)
         axes.plot([row["nanoseconds"]], [high], color=colour, marker="_", markersize=6, zorder=2)
-        mark = axes.scatter([row["nanoseconds"]], [middle], s=14 if row["contender"].startswith("abut 1e-") else 34, marker=marker, linewidths=1.1, zorder=3, edgecolors=colour,
+        mark = axes.scatter([row["nanoseconds"]], [middle], s=14 if row["contender"].startswith("abut 1e-") else 44, marker=marker, linewidths=0.8, zorder=3, edgecolors=colour,
                             facecolors=chart.GROUND if is_hollow else colour)
         anchor = book.anchor("accuracy", row)
         mark.set_urls([f"#{anchor}" if anchor else ""])
