@@ -17,9 +17,11 @@ sys.path.insert(0, str(ROOT / "tools" / "report"))
 
 import compare  # noqa: E402
 import document  # noqa: E402
+import maps  # noqa: E402
 import page  # noqa: E402
 import pairs  # noqa: E402
 import sample  # noqa: E402
+import words  # noqa: E402
 import work  # noqa: E402
 
 VOID = {"meta", "br", "hr", "img", "input", "link"}
@@ -126,6 +128,15 @@ class Numbers(unittest.TestCase):
     def test_a_failure_is_worse_than_any_error(self):
         failed = sample.judged(failures=sample.FAILURES | {"none": 1}, worst_pair=7)
         self.assertEqual(work.together([sample.judged(worst=1.0), failed])["worst_pair"], 7)
+
+    def test_maps_keep_the_order_of_their_axes(self):
+        self.assertEqual(maps._places([1, 1e-4, 1e-2, 1]), [1, 1e-2, 1e-4])
+        self.assertEqual(maps._places([1, 1e3, 1e2]), [1, 1e2, 1e3])
+        self.assertEqual(maps._places(["0", "1 ulp", "1e-9"]), ["0", "1 ulp", "1e-9"])
+
+    def test_numbers_are_short(self):
+        self.assertEqual([words.error(value) for value in (None, 0, 1, 2.4e-16, 1961.0)], ["-", "0", "1", "2e-16", "2e3"])
+        self.assertEqual([words.time(value) for value in (0, 12.34, 1234, 5.6e7)], ["-", "12.3 ns", "1.23 µs", "56 ms"])
 
     def test_classes_do_not_depend_on_the_order(self):
         self.assertEqual(work.class_of("box-sphere"), work.class_of("capsule-hull32"))

@@ -25,9 +25,11 @@ def _label(value):
 
 
 def _places(values):
-    """The places of an axis, numbers in order."""
+    """The places of an axis, in order: numbers up or down as they begin, names as they come."""
     unique = list(dict.fromkeys(values))
-    return sorted(unique) if all(_is_number(value) for value in unique) else unique
+    if not all(_is_number(value) for value in unique):
+        return unique
+    return sorted(unique, reverse=len(unique) > 1 and unique[0] > unique[1])
 
 
 def _ink_on(colour):
@@ -37,8 +39,9 @@ def _ink_on(colour):
 
 def draw(title, rows, x_name, y_name, lowest=LOWEST, highest=0):
     """Rows have x, y, error (None where there is none) and letters of what failed."""
-    xs, ys = _places(row["x"] for row in rows), _places(row["y"] for row in rows)
-    xs = xs if xs and _is_number(xs[0]) and rows[0]["x"] == xs[0] else list(reversed(xs))
+    xs, ys = _places([row["x"] for row in rows]), _places([row["y"] for row in rows])
+    if not _is_number(ys[0]):
+        ys.reverse()  # the first one on top
     figure, axes = chart.new(max(2.2, 0.9 + 0.21 * len(ys)), 0.3 + 0.075 * max(len(_label(value)) for value in ys) + (0.15 if y_name else 0))
     for row in rows:
         column, line = xs.index(row["x"]), ys.index(row["y"])
