@@ -42,6 +42,9 @@ Json shape_of(const Solid& solid) {
   return shape;
 }
 
+// Scenes of more triangles than that are left to the reader.
+constexpr std::size_t most_triangles = 1000;
+
 Json pose_of(const Placement& placement) {
   return {{"position", placement.position}, {"quaternion", placement.orientation}};
 }
@@ -57,15 +60,6 @@ std::size_t RowFile::number_of(std::map<std::string, std::size_t>& numbers, Json
 }
 
 void RowFile::add(const Json& labels, const Row& row, const JudgedCell& cell) {
-  const Case& worst = cell.cases.at(row.worst);
-  Json pair{{"a", number_of(shape_numbers_, shapes_, shape_of(cell.solids_a[worst.a]))},
-            {"pose_a", pose_of(worst.pose_a)},
-            {"b", number_of(shape_numbers_, shapes_, shape_of(cell.solids_b[worst.b]))},
-            {"pose_b", pose_of(worst.pose_b)},
-            {"truth", static_cast<double>(cell.truths[row.worst])}};
-  if (row.query == Query::cast) {
-    pair["motion"] = worst.motion;
-  }
   Json its{{"question", query_name(row.query)}};
   its.update(labels);
   its["contender"] = entrants()[row.entrant].name;
@@ -83,8 +77,23 @@ void RowFile::add(const Json& labels, const Row& row, const JudgedCell& cell) {
   if (row.broken) {
     its["broken"] = {{"outside", row.broken->outside}, {"beyond", row.broken->beyond}, {"wide", row.broken->wide}};
   }
-  its["worst_pair"] = number_of(pair_numbers_, pairs_, std::move(pair));
+  if (cell.solids_a.front().triangles.size() <= most_triangles) {
+    its["worst_pair"] = number_of_pair(row, cell);
+  }
   rows_.push_back(std::move(its));
+}
+
+std::size_t RowFile::number_of_pair(const Row& row, const JudgedCell& cell) {
+  const Case& worst = cell.cases.at(row.worst);
+  Json pair{{"a", number_of(shape_numbers_, shapes_, shape_of(cell.solids_a[worst.a]))},
+            {"pose_a", pose_of(worst.pose_a)},
+            {"b", number_of(shape_numbers_, shapes_, shape_of(cell.solids_b[worst.b]))},
+            {"pose_b", pose_of(worst.pose_b)},
+            {"truth", static_cast<double>(cell.truths[row.worst])}};
+  if (row.query == Query::cast) {
+    pair["motion"] = worst.motion;
+  }
+  return number_of(pair_numbers_, pairs_, std::move(pair));
 }
 
 void RowFile::write(const std::filesystem::path& path, const Json& settings) const {

@@ -24,6 +24,7 @@ class RowFile {
   void write(const std::filesystem::path& path, const Json& settings) const;
 
  private:
+  std::size_t number_of_pair(const Row& row, const JudgedCell& cell);
   std::size_t number_of(std::map<std::string, std::size_t>& numbers, Json& list, Json value);
 
   Json shapes_ = Json::array(), pairs_ = Json::array(), rows_ = Json::array();
