@@ -94,7 +94,14 @@ std::optional<Box> box_of(const World& world, const Geometry& geometry) {
   return box;
 }
 
-abut_policy default_policy() { return {sizeof(abut_policy), ABUT_ALGORITHM_AUTO, ABUT_DETAIL_MANIFOLD, 1, -1, 0}; }
+abut_policy default_policy() {
+  abut_policy policy{};
+  policy.struct_size = sizeof policy;
+  policy.period = 1;
+  policy.tolerance = -1;
+  policy.cone_factor = 0.5;
+  return policy;
+}
 
 std::vector<std::size_t> World::living_parts() const { return living(parts); }
 std::vector<std::size_t> World::living_geometries() const { return living(geometries); }
