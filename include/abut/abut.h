@@ -52,6 +52,7 @@
  *  - Velocities of parts: abut_part_set_velocity, abut_part_measure_velocity, abut_part_set_acceleration
  *  - Fast geometries: ABUT_GEOMETRY_FAST, abut_universe_impacts, abut_universe_advance_to_first_impact
  *  - Self pairs: ABUT_GEOMETRY_SELF_PAIRS
+ *  - Element contacts: ABUT_DETAIL_ELEMENTS, abut_universe_element_contacts
  *  - Extension libraries of a universe: abut_universe_attach, abut_universe_detach
  *  - Queries on a universe: abut_universe_cast_ray, abut_universe_cast_shape, abut_universe_overlaps,
  *    abut_universe_at_point, abut_universe_closest; abut_pair_cast

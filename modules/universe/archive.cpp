@@ -183,7 +183,7 @@ void Universe::load_pairs(ByteReader& in) {
     its.run = static_cast<std::uint16_t>(run_of(its, places_.infos[its.low].kind, places_.infos[its.high].kind));
     its.is_supported = jobs_.is_supported(its.run);
     if (!meetings_.must_ask_again) {
-      assign_policy(its, places_, meetings_.policies);
+      its.is_by_elements = asks_for_elements(its, places_, meetings_.policies);
     }
   }
   pairs_.restore(std::move(pairs));

@@ -113,11 +113,13 @@ void update_pair(Pair& pair, const Scope& scope, const Places& places, std::span
 
 }  // namespace
 
+bool asks_for_elements(const Pair& pair, const Places& places, const PolicyTable& policies) {
+  return policies.at(pair.policy).detail == Detail::elements && has_elements(places.infos[pair.low].kind) &&
+         has_elements(places.infos[pair.high].kind);
+}
 void assign_policy(Pair& pair, const Places& places, const PolicyTable& policies) {
-  const PlaceInfo &low = places.infos[pair.low], &high = places.infos[pair.high];
-  pair.policy = static_cast<std::uint16_t>(policies.number_of(low.tag, high.tag));
-  pair.is_by_elements =
-      policies.at(pair.policy).detail == Detail::elements && has_elements(low.kind) && has_elements(high.kind);
+  pair.policy = static_cast<std::uint16_t>(policies.number_of(places.infos[pair.low].tag, places.infos[pair.high].tag));
+  pair.is_by_elements = asks_for_elements(pair, places, policies);
 }
 
 // From the back, so that none is written over before it has gone.

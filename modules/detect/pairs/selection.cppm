@@ -28,6 +28,8 @@ struct Scope {
 // The geometries that meet themselves, by their places in order, among the pairs that the broad phase has found.
 void add_self_pairs(std::span<const std::uint32_t> places, const Space& space, std::vector<ProxyPair>& near);
 
+// Whether the policy that a pair has asks for elements, and both sides have some.
+[[nodiscard]] bool asks_for_elements(const Pair& pair, const Places& places, const PolicyTable& policies);
 // Gives a pair the policy of its tags.
 void assign_policy(Pair& pair, const Places& places, const PolicyTable& policies);
 
