@@ -153,7 +153,7 @@ abut_status Play::bad_number(const Call& call, abut_universe* its, abut_status& 
       return abut_policy_set(its, 0, 0, &policy);
     case 13:
       expected = ABUT_UNKNOWN_VALUE;
-      policy.detail = 4;
+      policy.detail = 5;
       return abut_policy_set(its, 0, 0, &policy);
     case 14:
       expected = ABUT_UNKNOWN_VALUE;
