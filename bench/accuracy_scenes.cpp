@@ -22,7 +22,7 @@ constexpr double giant = 0x1p15, speck = 0x1p-15;
 constexpr double far_away = 1e9;
 // Ordinary pairs are further from touching than this.
 constexpr double least_gap = 0.01;
-// Of so many tries for each case that is wanted; some conditions cannot tell beforehand on which side a pair will lie.
+// Tries for each case that is wanted; some conditions cannot tell beforehand on which side a pair will lie.
 constexpr std::size_t most_tries = 40;
 
 // Finding the depth of two large hulls takes the oracle a second.
@@ -268,7 +268,7 @@ std::optional<JudgedCell> AccuracyScenes::make(Query query, Condition condition,
       continue;
     }
     const Quad share = true_cast(a.judges[one.a], one.pose_a, b.judges[one.b], one.pose_b, one.motion);
-    // What passes has no share to be compared.
+    // A cast that passes has no share to be compared.
     if (share < 1) {
       cell.add(one, share);
       cell.sizes.back() /= std::hypot(one.motion[0], one.motion[1], one.motion[2]);

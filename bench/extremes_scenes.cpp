@@ -20,9 +20,9 @@ using oracle::quad;
 using oracle::Quad;
 using oracle::Vec;
 
-// Of so many tries for each case that is wanted: rounding may leave a pair on the other side.
+// Tries for each case that is wanted: rounding may leave a pair on the other side.
 constexpr std::size_t most_tries = 20;
-// What is apart or deep by less than this part of the size is on no side for certain.
+// A gap or depth below this part of the size has no certain sign.
 constexpr double least_part = 1e-19;
 
 Judge judge_of(Solid& solid) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "raw_embree.hpp"
 
-#include "picking/tracer/embree.hpp"
+#include "picking/embree.hpp"
 
 #include <abut/abut.h>
 

@@ -16,21 +16,17 @@ std::size_t body_at(const NearPlace& at) { return at.lane / 4; }
 
 class AllBodies final : public Obstacles {
  public:
-  AllBodies(const BodiesOnSurface& bodies, StoppingSides sides) : bodies_(bodies) {
-    bool is_first = true;
-    for (const auto& body : bodies) {
-      const TranslationSearch own = body->begin();
-      if (is_first || own.least > terms_.least) {
-        terms_.least = own.least;
-        terms_.deepest_way = own.deepest_way;
-      }
-      terms_.size = is_first ? own.size : std::max(terms_.size, own.size);
-      terms_.tolerance = is_first ? own.tolerance : std::max(terms_.tolerance, own.tolerance);
-      terms_.most_polishes = is_first ? own.most_polishes : std::max(terms_.most_polishes, own.most_polishes);
-      is_first = false;
+  explicit AllBodies(const BodiesOnSurface& bodies) : bodies_(bodies), terms_(bodies[0]->begin()) {
+    for (std::size_t i = 1; i < bodies.size(); ++i) {
+      const TranslationSearch own = bodies[i]->begin();
+      terms_.deepest_way = own.least > terms_.least ? own.deepest_way : terms_.deepest_way;
+      terms_.least = std::max(terms_.least, own.least);
+      terms_.size = std::max(terms_.size, own.size);
+      terms_.tolerance = std::max(terms_.tolerance, own.tolerance);
+      terms_.first = std::max(terms_.first, own.first);
+      terms_.far = std::max(terms_.far, own.far);
+      terms_.most_polishes = std::max(terms_.most_polishes, own.most_polishes);
     }
-    constexpr Real of_first = 4;
-    terms_.first = sides == StoppingSides::solid ? of_first * (terms_.size + terms_.least) : infinity;
   }
 
   [[nodiscard]] const TranslationSearch& terms() const { return terms_; }
@@ -52,7 +48,7 @@ class AllBodies final : public Obstacles {
         }
         const Real so_far = all.length;
         for (const SurfaceTouch& touch : own.touches.span()) {
-          static_cast<void>(all.note(touch, tie()));
+          static_cast<void>(all.note(touch, tie_of(terms_.tolerance, terms_.size)));
         }
         for (const SurfaceExit::Back& back : own.backs.span()) {
           all.backs.push_back_if(back, all.backs.size() < 4);
@@ -61,7 +57,7 @@ class AllBodies final : public Obstacles {
         last = all.length > so_far + terms_.tolerance ? i : last;
       }
       if (!(all.length > before + terms_.tolerance)) {
-        all.settle(tie(), 4 * terms_.tolerance);
+        all.settle(tie_of(terms_.tolerance, terms_.size), 4 * terms_.tolerance);
         return all;
       }
     }
@@ -94,11 +90,6 @@ class AllBodies final : public Obstacles {
   }
 
  private:
-  // See SurfaceSearch.
-  [[nodiscard]] Real tie() const {
-    constexpr Real near_share = 1e-7;
-    return std::max(4 * terms_.tolerance, near_share * terms_.size);
-  }
   [[nodiscard]] BodyOnSurface& body_of(const SeparatingTranslation& translation) const {
     return *bodies_[body_at(last_touch(translation).at)];
   }
@@ -117,17 +108,7 @@ class AllBodies final : public Obstacles {
   }
 
   const BodiesOnSurface& bodies_;
-  TranslationSearch terms_{.size = 0,
-                           .tolerance = 0,
-                           .least = 0,
-                           .deepest_way = {0, 0, 1},
-                           .most = infinity,
-                           .first = infinity,
-                           .of_start = 2,
-                           .far = 1.25,
-                           .most_around = 128,
-                           .trusts_ground = true,
-                           .most_polishes = 3};
+  TranslationSearch terms_;
 };
 
 }  // namespace
@@ -136,7 +117,7 @@ bool depth_of_bodies(const BodiesOnSurface& bodies, StoppingSides sides, Distanc
   if (std::ranges::none_of(bodies, [](const auto& body) { return body->is_met(); })) {
     return false;
   }
-  AllBodies all(bodies, sides);
+  AllBodies all(bodies);
   const SeparatingTranslation found = find_translation(all, all.terms());
   if (found.touches.empty()) {
     return false;

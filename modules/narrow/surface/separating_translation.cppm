@@ -202,11 +202,7 @@ class SurfaceSearch : public NearTriangles<B>, public Obstacles {
     return surface_.contains(last) ? std::max(least, surface_.nearest(last).distance) : least;
   }
 
-  // Planes that are left within it of each other are touched together: else rounding would tell which of them counts.
-  [[nodiscard]] Real tie() const {
-    constexpr Real near_share = 1e-7;
-    return std::max(4 * tolerance_, near_share * size_);
-  }
+  [[nodiscard]] Real tie() const { return tie_of(tolerance_, size_); }
 
   [[nodiscard]] static Real reach_of(const NearFour& four, std::size_t lane, const Vec3& direction) {
     return -least_along(four.triangles[lane], -direction);

@@ -85,10 +85,7 @@ CrossingSurfaces::CrossingSurfaces(const SurfaceSource& a, const SurfaceSource& 
   }
 }
 
-Real CrossingSurfaces::tie() const {
-  constexpr Real near_share = 1e-7;
-  return std::max(4 * tolerance_, near_share * size_);
-}
+Real CrossingSurfaces::tie() const { return tie_of(tolerance_, size_); }
 
 void CrossingSurfaces::gather(Real reach) {
   reach_ = reach;

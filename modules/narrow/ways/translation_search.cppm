@@ -75,6 +75,12 @@ struct TranslationStart {
   Real estimate;
 };
 
+// Planes that are left within it of each other are touched together: else rounding would tell which of them counts.
+[[nodiscard]] inline Real tie_of(Real tolerance, Real size) {
+  constexpr Real near_share = 1e-7;
+  return std::max(4 * tolerance, near_share * size);
+}
+
 class Obstacles {
  public:
   using TakePlane = std::function<void(const OverlappedPlane&)>;

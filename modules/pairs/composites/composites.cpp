@@ -31,9 +31,6 @@ class Outcomes {
   std::optional<Outcome> last_;
 };
 
-bool is_convex(const AnyShape& shape) {
-  return std::visit([]<class S>(const S&) { return Convex<S>; }, static_cast<const AnyShape::Variant&>(shape));
-}
 bool is_scattered(const AnyShape& shape) {
   return std::visit([]<class S>(const S&) { return Scattered<S>; }, shape);
 }

@@ -162,9 +162,6 @@ class SurfaceGroup final : public TriangleSource {
   SmallVector<Member, 8> members_;
 };
 
-bool is_convex(const AnyShape& shape) {
-  return std::visit([]<class S>(const S&) { return Convex<S>; }, static_cast<const AnyShape::Variant&>(shape));
-}
 const AnyShape& body_of(const ChildPair& pair, bool is_surface_a) { return is_surface_a ? *pair.b : *pair.a; }
 const Pose& pose_of_body(const ChildPair& pair, bool is_surface_a) { return is_surface_a ? pair.pose_b : pair.pose_a; }
 
