@@ -44,9 +44,10 @@ if(ABUT_WARNINGS)
 endif()
 
 # Warns in this folder where arrays are used without their bounds: in all that is installed. The compiler reads everything that
-# a unit imports or precompiles for it. This is half of the time of a unit of the library, and two thirds of that of a test.
+# a unit imports for it, which doubles the time of a unit of the library. So builds do it where ABUT_CHECK_BUFFERS says so, as in
+# the presets dev and asan, and scripts/lint does it for changed lines. ALWAYS: in every build that stops at warnings.
 function(abut_check_buffers)
-  if(ABUT_WARNINGS)
+  if(ABUT_WARNINGS AND (ABUT_CHECK_BUFFERS OR "ALWAYS" IN_LIST ARGN))
     add_compile_options("$<$<COMPILE_LANGUAGE:CXX>:-Wunsafe-buffer-usage;-Wunsafe-buffer-usage-in-container>")
   endif()
 endfunction()
