@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// The children of a composite move together: moved by its depth, none of them overlaps the ground.
+// The children of a composite move together, and so do particles: moved by its depth, none of them overlaps the ground.
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <functional>
@@ -228,6 +229,125 @@ TEST(SeveralBodies, OverlapNothingAfterTheMove) {
   }
   EXPECT_GT(deep, 300);
   EXPECT_EQ(stuck, 0);
+  EXPECT_LE(10 * behind_fronts, deep_in_fronts);
+}
+
+struct Cloud {
+  std::vector<Vec> places;
+  std::vector<double> radii;
+  ShapePtr shape;
+};
+
+// One in six is a point.
+Cloud random_cloud(Random& random, int most, double size) {
+  Cloud made;
+  const int count = 2 + static_cast<int>(uniform(random, 0, most - 2));
+  std::vector<double> xyz;
+  for (int i = 0; i < count; ++i) {
+    made.places.push_back({uniform(random, -size, size), uniform(random, -size, size), uniform(random, -size, size)});
+    made.radii.push_back(std::max(uniform(random, -0.06, 0.3), 0.0));
+    xyz.insert(xyz.end(), made.places.back().begin(), made.places.back().end());
+  }
+  abut_shape* shape = nullptr;
+  EXPECT_EQ(abut_particles_create_with_radii(xyz.data(), made.radii.data(), made.radii.size(), &shape), ABUT_OK);
+  made.shape = ShapePtr(shape);
+  return made;
+}
+
+TEST(SeveralBodies, ParticlesLeaveAFlatFloorExactly) {
+  constexpr std::uint64_t seed = 13;
+  Random random(seed);
+  int deep = 0, deeper_than_one = 0;
+  for (const abut_sides sides : {ABUT_SIDES_FRONT, ABUT_SIDES_BOTH}) {
+    property::FlatFloor floor;
+    floor.sides = sides;
+    floor.cells = 16;
+    floor.size = 40;
+    const property::Ground ground = property::ground_of(floor, random);
+    for (int scene = 0; scene < 300; ++scene) {
+      SCOPED_TRACE(testing::Message() << "seed " << seed << ", sides " << sides << ", scene " << scene);
+      const Cloud cloud = random_cloud(random, 12, 0.6);
+      const double height = sides == ABUT_SIDES_FRONT ? uniform(random, 0.3, 0.9) : uniform(random, -0.5, 0.8);
+      const abut_pose pose{{uniform(random, -1, 1), uniform(random, -1, 1), height}, any_turn(random)};
+      std::vector<Heights> balls, turned;
+      double lowest = 1, deepest = 0;
+      for (std::size_t i = 0; i < cloud.places.size(); ++i) {
+        const double z = property::placed(pose, cloud.places[i])[2], radius = cloud.radii[i];
+        balls.push_back({z - radius, z + radius});
+        turned.push_back({-z - radius, -z + radius});
+        lowest = std::min(lowest, z);
+        deepest = std::max(deepest, radius - std::fabs(z));
+      }
+      if (sides == ABUT_SIDES_FRONT && lowest < 0.01) {
+        continue;
+      }
+      const double expected = sides == ABUT_SIDES_FRONT ? way_up(balls) : std::min(way_up(balls), way_up(turned));
+      if (expected < 1e-6) {
+        continue;
+      }
+      ++deep;
+      deeper_than_one += expected > deepest + 1e-3 ? 1 : 0;
+      const abut_distance found = distance(ground.shape.get(), cloud.shape.get(), pose);
+      EXPECT_NEAR(found.distance, -expected, 2e-9 * (1 + expected));
+      EXPECT_LE(found.lower, -expected + 1e-12);
+    }
+  }
+  EXPECT_GT(deep, 200);
+  EXPECT_GT(deeper_than_one, 50);
+}
+
+TEST(SeveralBodies, ParticlesOverlapNothingAfterTheMove) {
+  constexpr std::uint64_t seed = 14;
+  Random random(seed);
+  const std::vector<Body> bodies = property::convex_bodies(random);
+  const std::vector<Hills> all{{"valley", [](double x, double) { return 0.7 * std::fabs(x); }},
+                               {"waves", [](double x, double y) { return 0.3 * std::sin(2 * x) * std::cos(1.7 * y); }}};
+  int deep = 0, stuck = 0, deep_in_fronts = 0, behind_fronts = 0;
+  for (const Hills& hills : all) {
+    const std::vector<ShapePtr> grounds = grounds_of(hills);
+    for (std::size_t g = 0; g < grounds.size(); ++g) {
+      for (int scene = 0; scene < 150; ++scene) {
+        SCOPED_TRACE(testing::Message() << "seed " << seed << ", " << hills.name << ", ground " << g << ", scene "
+                                        << scene);
+        const Cloud cloud = random_cloud(random, 40, g == 0 ? 0.4 : 0.8);
+        ShapePtr with_body;
+        if (scene % 2 == 1) {
+          // Beside a convex body in a composite.
+          const std::array children{
+              static_cast<const abut_shape*>(cloud.shape.get()),
+              static_cast<const abut_shape*>(bodies[static_cast<std::size_t>(scene) % bodies.size()].shape.get())};
+          const std::array poses{property::identity,
+                                 abut_pose{{uniform(random, -1, 1), uniform(random, -1, 1), 0.3}, any_turn(random)}};
+          abut_shape* shape = nullptr;
+          ASSERT_EQ(abut_composite_create(children.data(), poses.data(), children.size(), &shape), ABUT_OK);
+          with_body.reset(shape);
+        }
+        const abut_shape* body = with_body ? with_body.get() : cloud.shape.get();
+        const double x = uniform(random, -2, 2), y = uniform(random, -2, 2);
+        const double z = g == 0 ? hills.height(x, y) + uniform(random, 0.3, 0.8) : uniform(random, 0.4, 1.8);
+        const abut_pose pose{{x, y, z}, any_turn(random)};
+        const abut_distance found = distance(grounds[g].get(), body, pose);
+        if (!(found.distance < -1e-6)) {
+          continue;
+        }
+        const bool has_fronts = g == 0;
+        const bool are_above = std::ranges::all_of(cloud.places, [&](const Vec& place) {
+          const Vec at = property::placed(pose, place);
+          return at[2] > hills.height(at[0], at[1]);
+        });
+        if (has_fronts && (with_body || !are_above)) {
+          continue;
+        }
+        ++deep;
+        const abut_distance after = distance(grounds[g].get(), body, moved_by_depth(pose, found));
+        deep_in_fronts += has_fronts ? 1 : 0;
+        (has_fronts ? behind_fronts : stuck) += after.distance < -2e-7 ? 1 : 0;
+      }
+    }
+  }
+  EXPECT_GT(deep, 300);
+  EXPECT_EQ(stuck, 0);
+  EXPECT_GT(deep_in_fronts, 20);
   EXPECT_LE(10 * behind_fronts, deep_in_fronts);
 }
 

@@ -14,11 +14,15 @@ namespace {
 NearPlace place_of(const NearPlace& at, std::size_t body) { return {at.four, 4 * body + at.lane}; }
 std::size_t body_at(const NearPlace& at) { return at.lane / 4; }
 
+// Those of some numbers, as one body.
 class AllBodies final : public Obstacles {
  public:
-  explicit AllBodies(const BodiesOnSurface& bodies) : bodies_(bodies), terms_(bodies[0]->begin()) {
-    for (std::size_t i = 1; i < bodies.size(); ++i) {
-      const TranslationSearch own = bodies[i]->begin();
+  AllBodies(const BodiesOnSurface& bodies, std::span<const std::size_t> numbers)
+      : bodies_(bodies), numbers_(numbers.begin(), numbers.end()), terms_(at(0).begin()) {
+    least_.push_back(terms_.least);
+    for (std::size_t i = 1; i < size(); ++i) {
+      const TranslationSearch own = at(i).begin();
+      least_.push_back(own.least);
       terms_.deepest_way = own.least > terms_.least ? own.deepest_way : terms_.deepest_way;
       terms_.least = std::max(terms_.least, own.least);
       terms_.size = std::max(terms_.size, own.size);
@@ -31,19 +35,26 @@ class AllBodies final : public Obstacles {
 
   [[nodiscard]] const TranslationSearch& terms() const { return terms_; }
 
-  // In turn, each from where the others have come, up to the one that was last to go on.
+  // In turn, each from where the others have come, up to the one that was last to go on. The one that stood in the way
+  // lately comes first: it mostly does again.
   SurfaceExit exit_along(const Vec3& direction, Real enough) override {
     constexpr int most_rounds = 256;
     SurfaceExit all;
-    std::size_t last = bodies_.size();
+    std::size_t last = size();
+    raisers_.clear();
     for (int round = 0; round < most_rounds; ++round) {
       const Real before = all.length;
-      for (std::size_t i = 0; i < bodies_.size() && i != last; ++i) {
-        SurfaceExit own = bodies_[i]->exit_along(direction, all.length, enough);
+      for (std::size_t step = 0; step < size(); ++step) {
+        const std::size_t i = (first_ + step) % size();
+        if (i == last) {
+          break;
+        }
+        SurfaceExit own = at(i).exit_along(direction, all.length, enough);
         for (SurfaceTouch& touch : own.touches.span()) {
           touch.at = place_of(touch.at, i);
         }
         if (own.is_stopped) {
+          first_ = i;
           return own;
         }
         const Real so_far = all.length;
@@ -54,7 +65,10 @@ class AllBodies final : public Obstacles {
           all.backs.push_back_if(back, all.backs.size() < 4);
         }
         all.length = std::max(all.length, own.length);
-        last = all.length > so_far + terms_.tolerance ? i : last;
+        if (all.length > so_far + terms_.tolerance) {
+          last = i;
+          raisers_.push_back(numbers_[i]);
+        }
       }
       if (!(all.length > before + terms_.tolerance)) {
         all.settle(tie_of(terms_.tolerance, terms_.size), 4 * terms_.tolerance);
@@ -66,13 +80,13 @@ class AllBodies final : public Obstacles {
     return all;
   }
   void visit_planes(const TakePlane& take) const override {
-    for (const auto& body : bodies_) {
-      body->obstacles().visit_planes(take);
+    for (const std::size_t number : numbers_) {
+      bodies_[number]->obstacles().visit_planes(take);
     }
   }
   void visit_single_ways(const TakeStart& take) const override {
-    for (const auto& body : bodies_) {
-      body->obstacles().visit_single_ways(take);
+    for (const std::size_t number : numbers_) {
+      bodies_[number]->obstacles().visit_single_ways(take);
     }
   }
   Real least_by(const SeparatingTranslation& translation) override {
@@ -80,9 +94,23 @@ class AllBodies final : public Obstacles {
   }
   void visit_own_directions(bool are_few, std::span<const TranslationStart> starts,
                             const TakeStart& take) const override {
-    for (const auto& body : bodies_) {
-      body->obstacles().visit_own_directions(are_few, starts, take);
+    for (const std::size_t number : numbers_) {
+      bodies_[number]->obstacles().visit_own_directions(are_few, starts, take);
     }
+  }
+
+  // The numbers of those that the last question found further than the ones before.
+  [[nodiscard]] std::span<const std::size_t> raisers() const [[clang::lifetimebound]] { return raisers_; }
+  // The numbers of those that are deepest by themselves.
+  [[nodiscard]] std::vector<std::size_t> deepest(std::size_t most) const {
+    std::vector<std::size_t> places(size());
+    std::iota(places.begin(), places.end(), std::size_t{0});
+    std::ranges::sort(places, {}, [&](std::size_t i) { return std::pair(-least_[i], i); });
+    std::vector<std::size_t> found;
+    for (const std::size_t place : std::span(places).first(std::min(most, size()))) {
+      found.push_back(numbers_[place]);
+    }
+    return found;
   }
 
   [[nodiscard]] Vec3 last_point(const SeparatingTranslation& translation) const {
@@ -90,8 +118,10 @@ class AllBodies final : public Obstacles {
   }
 
  private:
+  [[nodiscard]] std::size_t size() const { return numbers_.size(); }
+  [[nodiscard]] BodyOnSurface& at(std::size_t place) const { return *bodies_[numbers_[place]]; }
   [[nodiscard]] BodyOnSurface& body_of(const SeparatingTranslation& translation) const {
-    return *bodies_[body_at(last_touch(translation).at)];
+    return at(body_at(last_touch(translation).at));
   }
   // What the body that is last to leave touches, as it knows it.
   [[nodiscard]] static SeparatingTranslation own_part(const SeparatingTranslation& translation) {
@@ -108,8 +138,56 @@ class AllBodies final : public Obstacles {
   }
 
   const BodiesOnSurface& bodies_;
+  std::vector<std::size_t> numbers_;
   TranslationSearch terms_;
+  std::vector<Real> least_;
+  std::vector<std::size_t> raisers_;
+  std::size_t first_ = 0;
 };
+
+// A search asks each body for each direction. So of many it looks at few, then asks all along what it has found, and
+// takes in those that stand in the way.
+struct FoundTogether {
+  SeparatingTranslation translation;
+  Real tolerance;
+  Vec3 last_point;
+};
+std::optional<FoundTogether> find_together(const BodiesOnSurface& bodies) {
+  constexpr std::size_t few = 24;
+  constexpr int most_rounds = 12;
+  std::vector<std::size_t> numbers(bodies.size());
+  std::iota(numbers.begin(), numbers.end(), std::size_t{0});
+  AllBodies all(bodies, numbers);
+  numbers = all.deepest(few);
+  for (int round = 0;; ++round) {
+    AllBodies some(bodies, numbers);
+    FoundTogether found{find_translation(some, some.terms()), all.terms().tolerance, {}};
+    if (found.translation.touches.empty()) {
+      return std::nullopt;
+    }
+    if (numbers.size() == bodies.size()) {
+      found.last_point = some.last_point(found.translation);
+      return found;
+    }
+    const SurfaceExit whole = all.exit_along(found.translation.direction, infinity);
+    const std::size_t before = numbers.size();
+    for (const std::size_t number : all.raisers()) {
+      if (std::ranges::find(numbers, number) == numbers.end()) {
+        numbers.push_back(number);
+      }
+    }
+    if (whole.length <= found.translation.length + found.tolerance || numbers.size() == before ||
+        round == most_rounds) {
+      if (whole.is_stopped || whole.touches.empty()) {
+        return std::nullopt;
+      }
+      found.translation.length = whole.length;
+      found.translation.touches = whole.touches;
+      found.last_point = all.last_point(found.translation);
+      return found;
+    }
+  }
+}
 
 }  // namespace
 
@@ -117,17 +195,17 @@ bool depth_of_bodies(const BodiesOnSurface& bodies, StoppingSides sides, Distanc
   if (std::ranges::none_of(bodies, [](const auto& body) { return body->is_met(); })) {
     return false;
   }
-  AllBodies all(bodies);
-  const SeparatingTranslation found = find_translation(all, all.terms());
-  if (found.touches.empty()) {
+  const auto together = find_together(bodies);
+  if (!together) {
     return false;
   }
+  const SeparatingTranslation& found = together->translation;
   out = no_distance();
   out.distance = -found.length;
-  out.lower = -found.length - all.terms().tolerance;
-  out.upper = -std::min(found.least, found.length) + all.terms().tolerance;
+  out.lower = -found.length - together->tolerance;
+  out.upper = -std::min(found.least, found.length) + together->tolerance;
   out.normal = found.direction;
-  out.point_b = all.last_point(found);
+  out.point_b = together->last_point;
   out.point_a = out.point_b + found.length * found.direction;
   out.algorithm = sides == StoppingSides::solid ? Algorithm::solid : Algorithm::separating_translation;
   out.iterations = 1;

@@ -36,4 +36,21 @@ using BodiesOnSurface = std::vector<std::unique_ptr<BodyOnSurface>>;
 // False where none is met.
 [[nodiscard]] bool depth_of_bodies(const BodiesOnSurface& bodies, StoppingSides sides, Distance& out);
 
+// The same for bodies within a reach: a longer translation than that may lead past others, which are taken in then.
+// `gather(reach, take)` returns take(bodies, a count that grows with what is in reach). False also for a single body.
+template <class Gather>
+[[nodiscard]] bool depth_within_reach(Real reach, StoppingSides sides, Gather&& gather, Distance& out) {
+  bool is_found = false;
+  for (std::size_t known = 0;;) {
+    const bool are_more = gather(reach, [&](const BodiesOnSurface& bodies, std::size_t count) {
+      return bodies.size() > 1 && std::exchange(known, count) != count && depth_of_bodies(bodies, sides, out);
+    });
+    is_found = is_found || are_more;
+    if (!are_more || -out.distance <= reach) {
+      return is_found;
+    }
+    reach = -out.distance;
+  }
+}
+
 }  // namespace abut

@@ -60,6 +60,44 @@ class OneOfBodies final : public BodyOnSurface {
   std::optional<SurfaceSearch<B>> search_;
 };
 
+// A ball, which keeps nothing between questions: there may be many, and little is near one.
+template <PointCored B>
+class OneOfBalls final : public BodyOnSurface, public Obstacles {
+ public:
+  OneOfBalls(const TriangleSource& surface, const B& b, const Pose& ab, const QuerySettings& settings) noexcept
+      : surface_(surface), ball_(b), ab_(ab), settings_(settings) {}
+
+  bool is_met() const override { return look().is_met(); }
+  TranslationSearch begin() override { return look().begin(); }
+  SurfaceExit exit_along(const Vec3& direction, Real from, Real enough) override {
+    return look().exit_along(direction, from, enough);
+  }
+  SurfaceExit exit_along(const Vec3& direction, Real enough) override { return exit_along(direction, 0, enough); }
+  void visit_planes(const TakePlane& take) const override { obstacles_of(look()).visit_planes(take); }
+  void visit_single_ways(const TakeStart& take) const override { obstacles_of(look()).visit_single_ways(take); }
+  void visit_own_directions(bool are_few, std::span<const TranslationStart> starts,
+                            const TakeStart& take) const override {
+    obstacles_of(look()).visit_own_directions(are_few, starts, take);
+  }
+  Obstacles& obstacles() override { return *this; }
+  Vec3 last_point(const SeparatingTranslation& translation) const override {
+    return placed_centre(ball_, ab_) - ball_.radius() * last_touch(translation).normal;
+  }
+
+ private:
+  [[nodiscard]] SurfaceSearch<B> look() const {
+    return SurfaceSearch<B>(surface_, ball_, ab_, settings_, 0, surface_.sides());
+  }
+  [[nodiscard]] static const Obstacles& obstacles_of(const SurfaceSearch<B>& search [[clang::lifetimebound]]) {
+    return search;
+  }
+
+  const TriangleSource& surface_;
+  B ball_;
+  Pose ab_;
+  QuerySettings settings_;
+};
+
 // See surface_kernels.
 template <Convex B>
 void append_surface_contacts(const TriangleSource& surface, const B& b, const Pose& ab, const QuerySettings& settings,

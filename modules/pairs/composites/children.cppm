@@ -18,6 +18,10 @@ export namespace abut {
   return std::visit([]<class S>(const S&) { return Convex<S>; }, static_cast<const AnyShape::Variant&>(shape));
 }
 
+[[nodiscard]] inline bool is_scattered(const AnyShape& shape) {
+  return std::visit([]<class S>(const S&) { return Scattered<S>; }, static_cast<const AnyShape::Variant&>(shape));
+}
+
 // Calls ask(surface) for a shape that is a surface.
 template <class Ask>
 void with_surface(const AnyShape& shape, Ask&& ask) {

@@ -31,10 +31,6 @@ class Outcomes {
   std::optional<Outcome> last_;
 };
 
-bool is_scattered(const AnyShape& shape) {
-  return std::visit([]<class S>(const S&) { return Scattered<S>; }, shape);
-}
-
 void flip(std::span<ContactPoint> contacts) {
   for (ContactPoint& contact : contacts) {
     move_by(contact, Pose::identity(), true);
@@ -189,7 +185,8 @@ void take_depth_of_all(const AnyShape& a, const AnyShape& b, const Pose& ab, con
     }
     const ChildPairs pairs = pairs_of_children(a, b, ab, 0);
     const bool are_all = std::ranges::all_of(pairs.span(), [&](const ChildPair& pair) {
-      return is_convex(is_surface_a ? *pair.b : *pair.a) && sides_of_surface(is_surface_a ? *pair.a : *pair.b);
+      const AnyShape& body = is_surface_a ? *pair.b : *pair.a;
+      return (is_convex(body) || is_scattered(body)) && sides_of_surface(is_surface_a ? *pair.a : *pair.b);
     });
     if (are_all) {
       best = whole;

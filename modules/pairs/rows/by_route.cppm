@@ -11,6 +11,8 @@ import abut.narrow.field.field_surfaces;
 import abut.narrow.walls.half_space;
 import abut.narrow.walls.hole_surfaces;
 import abut.narrow.parts.nearest_of_parts;
+import abut.narrow.surface.particles_on_surface;
+import abut.narrow.surface.triangle_source;
 import abut.narrow.two_surfaces;
 import abut.pairs.routes;
 
@@ -114,7 +116,8 @@ template <class B>
   }
 }
 
-// The nearest or deepest of many solids, one after the other; the box of interest shrinks with every better one.
+// The nearest or deepest of many solids, one after the other; the box of interest shrinks with every better one. What
+// overlaps a surface leaves it together.
 template <Scattered A, class B>
 Outcome scattered_distance(const A& a, const B& b, const Pose& ab, const QuerySettings& settings, Distance& out) {
   const Aabb around = reach_of(b, ab);
@@ -141,6 +144,15 @@ Outcome scattered_distance(const A& a, const B& b, const Pose& ab, const QuerySe
     consider(a.place(first), first);
   }
   a.visit_places(query, consider);
+  if constexpr (Surface<B>) {
+    if (outcome == Outcome::ok && out.distance < 0) {
+      Distance whole{};
+      if (depth_of_particles(a, ab.inverse(), SourceOf<B>(b), -out.distance, settings, whole)) {
+        out = whole;
+        move_by(out, ab, true);
+      }
+    }
+  }
   return outcome;
 }
 

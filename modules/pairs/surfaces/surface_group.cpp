@@ -6,6 +6,7 @@ import abut.core;
 import abut.math;
 import abut.math.tolerance;
 import abut.narrow.surface.bodies_on_surface;
+import abut.narrow.surface.particles_on_surface;
 import abut.narrow.surface.surfaces;
 import abut.narrow.triangle.stopping_sides;
 import abut.narrow.triangle.triangle_point;
@@ -162,6 +163,20 @@ class SurfaceGroup final : public TriangleSource {
   SmallVector<Member, 8> members_;
 };
 
+// What of a child may leave together with others.
+void add_bodies(const AnyShape& child, const Pose& pose, const TriangleSource& surface, Real reach,
+                const QuerySettings& settings, BodiesOnSurface& bodies) {
+  std::visit(
+      [&]<class S>(const S& s) {
+        if constexpr (Scattered<S>) {
+          add_near_particles(s, pose, surface, reach, settings, bodies);
+        } else if constexpr (Convex<S>) {
+          bodies.push_back(body_on_source(surface, child, pose, settings));
+        }
+      },
+      static_cast<const AnyShape::Variant&>(child));
+}
+
 const AnyShape& body_of(const ChildPair& pair, bool is_surface_a) { return is_surface_a ? *pair.b : *pair.a; }
 const Pose& pose_of_body(const ChildPair& pair, bool is_surface_a) { return is_surface_a ? pair.pose_b : pair.pose_a; }
 
@@ -227,14 +242,12 @@ bool depth_of_children(const AnyShape& a, const AnyShape& b, const Pose& ab, boo
                        const QuerySettings& settings, Distance& out) {
   const AnyShape &ground = is_surface_a ? a : b, &composite = is_surface_a ? b : a;
   const Pose ground_pose = is_surface_a ? Pose::identity() : ab, body_pose = is_surface_a ? ab : Pose::identity();
-  if (!is_assembly(composite)) {
+  if (!is_assembly(composite) && !is_scattered(composite)) {
     return false;
   }
   bool is_found = false;
   for (const StoppingSides sides : {StoppingSides::both, StoppingSides::front, StoppingSides::solid}) {
-    // The way of all may be longer, and lead past more of both.
-    std::size_t known = 0;
-    for (Real reach = depth;;) {
+    const auto gather = [&](Real reach, auto&& take) {
       const Aabb around = box_of(composite, ground_pose.inverse() * body_pose).inflated(reach);
       ChildPairs surfaces;
       visit_children(ground, ground_pose, around, [&](const AnyShape& child, const Pose& pose, std::uint32_t number) {
@@ -244,35 +257,28 @@ bool depth_of_children(const AnyShape& a, const AnyShape& b, const Pose& ab, boo
         }
       });
       if (surfaces.empty()) {
-        break;
+        return false;
       }
       std::ranges::sort(surfaces.span(), {}, [](const ChildPair& its) { return std::pair(its.child_a, its.child_b); });
       const SurfaceGroup group(surfaces.span(), is_surface_a);
       BodiesOnSurface bodies;
       visit_children(composite, body_pose, transformed(group.box().inflated(reach), body_pose.inverse()),
                      [&](const AnyShape& child, const Pose& pose, std::uint32_t) {
-                       if (is_convex(child)) {
-                         bodies.push_back(body_on_source(group, child, pose, settings));
-                       }
+                       add_bodies(child, pose, group, reach, settings, bodies);
                      });
-      Distance found{};
-      const std::size_t count = surfaces.size() + bodies.size();
-      if (bodies.size() < 2 || count == known || !depth_of_bodies(bodies, sides, found)) {
-        break;
-      }
-      known = count;
-      if (!is_surface_a) {
-        move_by(found, Pose::identity(), true);
-      }
-      if (!is_found || found.distance < out.distance) {
-        out = found;
-      }
-      is_found = true;
-      if (-found.distance <= reach) {
-        break;
-      }
-      reach = -found.distance;
+      return take(bodies, surfaces.size() + bodies.size());
+    };
+    Distance found{};
+    if (!depth_within_reach(depth, sides, gather, found)) {
+      continue;
     }
+    if (!is_surface_a) {
+      move_by(found, Pose::identity(), true);
+    }
+    if (!is_found || found.distance < out.distance) {
+      out = found;
+    }
+    is_found = true;
   }
   return is_found;
 }

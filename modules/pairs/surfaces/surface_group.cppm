@@ -63,9 +63,9 @@ void contacts_of_group(std::span<const ChildPair> group, bool is_surface_a, cons
 // The depth of a group. False where nothing is overlapped.
 [[nodiscard]] bool depth_of_group(std::span<const ChildPair> group, bool is_surface_a, const QuerySettings& settings,
                                   Distance& out);
-// The depth of all convex children of a composite near surfaces of another shape, which move out of these together. b
-// is placed by `ab`, and `depth` is that of the deepest pair of children. False where fewer than two take part, or none
-// is met.
+// The depth of all convex children and particles of a shape near surfaces of another one, which move out of these
+// together. b is placed by `ab`, and `depth` is that of the deepest pair of children. False where fewer than two take
+// part, or none is met.
 [[nodiscard]] bool depth_of_children(const AnyShape& a, const AnyShape& b, const Pose& ab, bool is_surface_a,
                                      Real depth, const QuerySettings& settings, Distance& out);
 
