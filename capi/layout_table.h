@@ -444,15 +444,37 @@
   FIELD(abut_pick, distance, 24, 8) \
   FIELD(abut_pick, point, 32, 24) \
   FIELD(abut_pick, normal, 56, 24) \
-  TYPE(abut_camera, 96) \
+  TYPE(abut_camera, 136) \
   FIELD(abut_camera, struct_size, 0, 4) \
   FIELD(abut_camera, width, 4, 4) \
   FIELD(abut_camera, height, 8, 4) \
-  FIELD(abut_camera, reserved, 12, 4) \
+  FIELD(abut_camera, projection, 12, 4) \
   FIELD(abut_camera, pose, 16, 56) \
   FIELD(abut_camera, vertical_fov, 72, 8) \
   FIELD(abut_camera, near_distance, 80, 8) \
-  FIELD(abut_camera, far_distance, 88, 8)
+  FIELD(abut_camera, far_distance, 88, 8) \
+  FIELD(abut_camera, vertical_extent, 96, 8) \
+  FIELD(abut_camera, pixel_aspect, 104, 8) \
+  FIELD(abut_camera, shift_x, 112, 8) \
+  FIELD(abut_camera, shift_y, 120, 8) \
+  FIELD(abut_camera, depth_axis, 128, 4) \
+  FIELD(abut_camera, reserved, 132, 4) \
+  TYPE(abut_clip_plane, 32) \
+  FIELD(abut_clip_plane, normal, 0, 24) \
+  FIELD(abut_clip_plane, offset, 24, 8) \
+  TYPE(abut_snap, 72) \
+  FIELD(abut_snap, geometry, 0, 8) \
+  FIELD(abut_snap, kind, 8, 4) \
+  FIELD(abut_snap, vertices, 12, 8) \
+  FIELD(abut_snap, reserved, 20, 4) \
+  FIELD(abut_snap, parameter, 24, 8) \
+  FIELD(abut_snap, pixels, 32, 8) \
+  FIELD(abut_snap, distance, 40, 8) \
+  FIELD(abut_snap, point, 48, 24) \
+  TYPE(abut_barycentric, 40) \
+  FIELD(abut_barycentric, triangle, 0, 4) \
+  FIELD(abut_barycentric, vertices, 4, 12) \
+  FIELD(abut_barycentric, weights, 16, 24)
 
 #define ABUT_RESPONSE_LAYOUT(TYPE, FIELD) \
   TYPE(abut_contact_problem, 128) \

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 # libabut_picking.so: picking.h on top of abut.h. Included by CMakeLists.txt beside it.
-add_library(abut_picking SHARED extension_arguments.cpp operator_new.cpp picking.cpp picking_arguments.cpp picking_source.cpp)
+add_library(abut_picking SHARED extension_arguments.cpp operator_new.cpp picking.cpp
+  picking_arguments.cpp picking_camera.cpp picking_source.cpp)
 add_library(abut::picking ALIAS abut_picking)
 target_link_libraries(abut_picking PUBLIC abut::abut PRIVATE abut_picking_modules)
 target_include_directories(abut_picking PRIVATE ${CMAKE_CURRENT_SOURCE_DIR} ${PROJECT_SOURCE_DIR}/modules)

@@ -7,17 +7,13 @@
 #include "picking_source.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <memory>
 #include <new>
 #include <span>
 #include <utility>
 #include <vector>
-
-#include "defaults.hpp"
 
 import abut.picking;
 
@@ -30,16 +26,17 @@ struct abut_picker {
 namespace {
 
 using abut::capi::check_camera;
-using abut::capi::check_finite;
+using abut::capi::check_clip_planes;
 using abut::capi::check_fits;
+using abut::capi::check_pixel;
 using abut::capi::check_position;
 using abut::capi::check_ray;
 using abut::capi::check_rays;
 using abut::capi::check_room;
-using abut::capi::check_size;
 using abut::capi::read_filter;
 using abut::capi::refuse;
 using abut::capi::refuse_null;
+using abut::capi::refuse_stale;
 
 // A failure inside: the universe has written a message of its own when it was the one that failed.
 [[nodiscard]] abut_status answer(abut_status status) noexcept {
@@ -60,49 +57,15 @@ template <class Action>
   }
 }
 
+[[nodiscard]] abut_status read_coherence(abut_coherence given, abut::picking::Coherence& out) noexcept {
+  if (given != ABUT_COHERENCE_NONE && given != ABUT_COHERENCE_NEIGHBOURS)
+    return refuse(ABUT_UNKNOWN_VALUE, "coherence", given, "it must be a value of abut_coherence");
+  using abut::picking::Coherence;
+  out = given == ABUT_COHERENCE_NEIGHBOURS ? Coherence::neighbours : Coherence::none;
+  return ABUT_OK;
+}
+
 }  // namespace
-
-void abut_camera_init(abut_camera* camera, uint32_t struct_size) {
-  constexpr abut_camera usual{.struct_size = sizeof(abut_camera),
-                              .width = 640,
-                              .height = 480,
-                              .reserved = 0,
-                              .pose = {.position = {0, 0, 0}, .orientation = {1, 0, 0, 0}},
-                              .vertical_fov = 1,
-                              .near_distance = 0,
-                              .far_distance = std::numeric_limits<double>::infinity()};
-  abut::capi::fill_defaults(usual, struct_size, camera);
-}
-
-abut_status abut_camera_look_at(abut_camera* camera, const abut_vec3* eye, const abut_vec3* target,
-                                const abut_vec3* up) {
-  if (camera == nullptr) return refuse_null("camera");
-  if (eye == nullptr) return refuse_null("eye");
-  if (target == nullptr) return refuse_null("target");
-  if (up == nullptr) return refuse_null("up");
-  if (const abut_status status = check_size(*camera); status != ABUT_OK) return status;
-  if (const abut_status status = check_position(*eye, "eye"); status != ABUT_OK) return status;
-  if (const abut_status status = check_position(*target, "target"); status != ABUT_OK) return status;
-  if (const abut_status status = check_finite(*up, "up"); status != ABUT_OK) return status;
-  // Halves: the difference of two finite numbers may not be finite.
-  const abut_vec3 forward{0.5 * target->x - 0.5 * eye->x, 0.5 * target->y - 0.5 * eye->y,
-                          0.5 * target->z - 0.5 * eye->z};
-  if (forward.x == 0 && forward.y == 0 && forward.z == 0) return refuse(ABUT_ZERO_VECTOR, "target coincides with eye");
-  if (abut::picking::are_parallel(forward, *up))
-    return refuse(ABUT_ZERO_VECTOR, "up is zero or parallel to the line of sight");
-  camera->pose = {.position = *eye, .orientation = abut::picking::look_along(forward, *up)};
-  return ABUT_OK;
-}
-
-abut_status abut_camera_ray(const abut_camera* camera, double x, double y, abut_ray* out) {
-  if (camera == nullptr) return refuse_null("camera");
-  if (out == nullptr) return refuse_null("out");
-  if (const abut_status status = check_camera(*camera); status != ABUT_OK) return status;
-  if (!std::isfinite(x)) return refuse(ABUT_NOT_FINITE, "x", x, "it must be finite");
-  if (!std::isfinite(y)) return refuse(ABUT_NOT_FINITE, "y", y, "it must be finite");
-  *out = abut::picking::camera_ray(*camera, x, y);
-  return ABUT_OK;
-}
 
 abut_status abut_picker_create(abut_universe* universe, abut_picker** out) {
   if (universe == nullptr) return refuse_null("universe");
@@ -129,6 +92,29 @@ abut_status abut_picker_update(abut_picker* picker) {
   return guarded([&] { return picker->picker.update(); });
 }
 
+abut_status abut_picker_set_flags(abut_picker* picker, abut_picker_flags flags) {
+  if (picker == nullptr) return refuse_null("picker");
+  if (flags > (ABUT_PICKER_SENSORS | ABUT_PICKER_SKIP_BACK_FACES))
+    return refuse(ABUT_UNKNOWN_VALUE, "flags", flags, "it must be bits of abut_picker_flags");
+  picker->picker.set_flags((flags & ABUT_PICKER_SENSORS) != 0, (flags & ABUT_PICKER_SKIP_BACK_FACES) != 0);
+  return ABUT_OK;
+}
+
+abut_status abut_picker_set_clip_planes(abut_picker* picker, const abut_clip_plane* planes, std::size_t count) {
+  constexpr std::size_t most = 32;
+  if (picker == nullptr) return refuse_null("picker");
+  if (const abut_status status = check_fits("count", count, sizeof(abut_clip_plane)); status != ABUT_OK) return status;
+  if (count > most)
+    return refuse(ABUT_OUT_OF_RANGE, "count", static_cast<double>(count), "a picker has at most 32 clip planes");
+  if (planes == nullptr && count != 0) return refuse_null("planes");
+  // SAFETY: the caller answers for `count` elements.
+  ABUT_UNSAFE_BEGIN
+  const std::span<const abut_clip_plane> all(planes, count);
+  ABUT_UNSAFE_END
+  if (const abut_status status = check_clip_planes(all); status != ABUT_OK) return status;
+  return answer(picker->picker.set_clip_planes(all));
+}
+
 abut_status abut_picker_cast_ray(abut_picker* picker, const abut_ray* ray, const abut_query_filter* filter,
                                  abut_pick* out) {
   if (picker == nullptr) return refuse_null("picker");
@@ -148,9 +134,8 @@ abut_status abut_picker_cast_rays(abut_picker* picker, const abut_ray* rays, std
   if (picker == nullptr) return refuse_null("picker");
   const abut_query_filter* wanted = nullptr;
   if (const abut_status status = read_filter(picker->universe.get(), filter, wanted); status != ABUT_OK) return status;
-  if (coherence != ABUT_COHERENCE_NONE && coherence != ABUT_COHERENCE_NEIGHBOURS) {
-    return refuse(ABUT_UNKNOWN_VALUE, "coherence", coherence, "it must be a value of abut_coherence");
-  }
+  abut::picking::Coherence similar{};
+  if (const abut_status status = read_coherence(coherence, similar); status != ABUT_OK) return status;
   if (count == 0) return answer(picker->picker.update());
   if (rays == nullptr) return refuse_null("rays");
   if (out == nullptr) return refuse_null("out");
@@ -162,9 +147,38 @@ abut_status abut_picker_cast_rays(abut_picker* picker, const abut_ray* rays, std
   const std::span<abut_pick> picks(out, count);
   ABUT_UNSAFE_END
   if (const abut_status status = check_rays(all); status != ABUT_OK) return status;
-  using abut::picking::Coherence;
-  const Coherence similar = coherence == ABUT_COHERENCE_NEIGHBOURS ? Coherence::neighbours : Coherence::none;
   return answer(picker->picker.cast_rays(all, similar, wanted, picks));
+}
+
+abut_status abut_picker_ray_hits(abut_picker* picker, const abut_ray* ray, const abut_query_filter* filter,
+                                 uint32_t* out) {
+  if (picker == nullptr) return refuse_null("picker");
+  if (ray == nullptr) return refuse_null("ray");
+  if (out == nullptr) return refuse_null("out");
+  const abut_query_filter* wanted = nullptr;
+  if (const abut_status status = check_ray(*ray); status != ABUT_OK) return status;
+  if (const abut_status status = read_filter(picker->universe.get(), filter, wanted); status != ABUT_OK) return status;
+  return answer(picker->picker.meets(*ray, wanted, *out));
+}
+
+abut_status abut_picker_rays_hit(abut_picker* picker, const abut_ray* rays, std::size_t count, abut_coherence coherence,
+                                 const abut_query_filter* filter, uint32_t* out) {
+  if (picker == nullptr) return refuse_null("picker");
+  const abut_query_filter* wanted = nullptr;
+  if (const abut_status status = read_filter(picker->universe.get(), filter, wanted); status != ABUT_OK) return status;
+  abut::picking::Coherence similar{};
+  if (const abut_status status = read_coherence(coherence, similar); status != ABUT_OK) return status;
+  if (count == 0) return answer(picker->picker.update());
+  if (rays == nullptr) return refuse_null("rays");
+  if (out == nullptr) return refuse_null("out");
+  if (const abut_status status = check_fits("count", count, sizeof(abut_ray)); status != ABUT_OK) return status;
+  // SAFETY: the caller answers for `count` elements in both arrays.
+  ABUT_UNSAFE_BEGIN
+  const std::span<const abut_ray> all(rays, count);
+  const std::span<std::uint32_t> answers(out, count);
+  ABUT_UNSAFE_END
+  if (const abut_status status = check_rays(all); status != ABUT_OK) return status;
+  return answer(picker->picker.meet(all, similar, wanted, answers));
 }
 
 abut_status abut_picker_cast_ray_all(abut_picker* picker, const abut_ray* ray, const abut_query_filter* filter,
@@ -195,9 +209,9 @@ abut_status abut_picker_pick_pixel(abut_picker* picker, const abut_camera* camer
   if (camera == nullptr) return refuse_null("camera");
   if (out == nullptr) return refuse_null("out");
   if (const abut_status status = check_camera(*camera); status != ABUT_OK) return status;
-  if (!std::isfinite(x)) return refuse(ABUT_NOT_FINITE, "x", x, "it must be finite");
-  if (!std::isfinite(y)) return refuse(ABUT_NOT_FINITE, "y", y, "it must be finite");
-  if (!std::isfinite(radius)) return refuse(ABUT_NOT_FINITE, "radius", radius, "it must be finite");
+  if (const abut_status status = check_pixel(x, "x"); status != ABUT_OK) return status;
+  if (const abut_status status = check_pixel(y, "y"); status != ABUT_OK) return status;
+  if (const abut_status status = check_pixel(radius, "radius"); status != ABUT_OK) return status;
   if (radius < 0) return refuse(ABUT_OUT_OF_RANGE, "radius", radius, "it must be at least 0");
   const abut_query_filter* wanted = nullptr;
   if (const abut_status status = read_filter(picker->universe.get(), filter, wanted); status != ABUT_OK) return status;
@@ -227,4 +241,77 @@ abut_status abut_picker_render(abut_picker* picker, const abut_camera* camera, c
   const std::span<abut_pick> picture(out, pixels);
   ABUT_UNSAFE_END
   return guarded([&] { return picker->picker.render(*camera, wanted, picture); });
+}
+
+abut_status abut_picker_select_rectangle(abut_picker* picker, const abut_camera* camera, double x0, double y0,
+                                         double x1, double y1, abut_selection selection,
+                                         const abut_query_filter* filter, abut_geometry_id* geometries,
+                                         std::size_t capacity, std::size_t* count) {
+  if (picker == nullptr) return refuse_null("picker");
+  if (camera == nullptr) return refuse_null("camera");
+  if (count == nullptr) return refuse_null("count");
+  if (const abut_status status = check_camera(*camera); status != ABUT_OK) return status;
+  if (const abut_status status = check_pixel(x0, "x0"); status != ABUT_OK) return status;
+  if (const abut_status status = check_pixel(y0, "y0"); status != ABUT_OK) return status;
+  if (const abut_status status = check_pixel(x1, "x1"); status != ABUT_OK) return status;
+  if (const abut_status status = check_pixel(y1, "y1"); status != ABUT_OK) return status;
+  if (selection > ABUT_SELECTION_INSIDE)
+    return refuse(ABUT_UNKNOWN_VALUE, "selection", selection, "it must be a value of abut_selection");
+  if (const abut_status status = check_room("geometries", geometries, capacity, sizeof *geometries); status != ABUT_OK)
+    return status;
+  const abut_query_filter* wanted = nullptr;
+  if (const abut_status status = read_filter(picker->universe.get(), filter, wanted); status != ABUT_OK) return status;
+  return guarded([&]() -> abut_status {
+    std::vector<abut_geometry_id> all;
+    const bool inside = selection == ABUT_SELECTION_INSIDE;
+    if (const abut_status status = picker->picker.select(*camera, {x0, y0, x1, y1}, inside, wanted, all);
+        status != ABUT_OK) {
+      return status;
+    }
+    // SAFETY: the caller answers for `capacity` elements.
+    ABUT_UNSAFE_BEGIN
+    const std::span<abut_geometry_id> out(geometries, capacity);
+    ABUT_UNSAFE_END
+    std::copy_n(all.begin(), std::min(capacity, all.size()), out.begin());
+    *count = all.size();
+    return ABUT_OK;
+  });
+}
+
+abut_status abut_picker_snap(abut_picker* picker, const abut_camera* camera, double x, double y, double radius,
+                             abut_snap_kinds kinds, const abut_query_filter* filter, abut_snap* out) {
+  constexpr abut_snap_kinds all = ABUT_SNAP_VERTEX | ABUT_SNAP_MIDPOINT | ABUT_SNAP_EDGE;
+  if (picker == nullptr) return refuse_null("picker");
+  if (camera == nullptr) return refuse_null("camera");
+  if (out == nullptr) return refuse_null("out");
+  if (const abut_status status = check_camera(*camera); status != ABUT_OK) return status;
+  if (const abut_status status = check_pixel(x, "x"); status != ABUT_OK) return status;
+  if (const abut_status status = check_pixel(y, "y"); status != ABUT_OK) return status;
+  if (const abut_status status = check_pixel(radius, "radius"); status != ABUT_OK) return status;
+  if (radius < 0) return refuse(ABUT_OUT_OF_RANGE, "radius", radius, "it must be at least 0");
+  if (kinds > all) return refuse(ABUT_UNKNOWN_VALUE, "kinds", kinds, "it must be bits of abut_snap_kinds");
+  const abut_query_filter* wanted = nullptr;
+  if (const abut_status status = read_filter(picker->universe.get(), filter, wanted); status != ABUT_OK) return status;
+  return answer(picker->picker.snap(*camera, x, y, radius, kinds == 0 ? all : kinds, wanted, *out));
+}
+
+abut_status abut_picker_barycentric(abut_picker* picker, abut_geometry_id geometry, uint32_t face,
+                                    const abut_vec3* point, abut_barycentric* out) {
+  if (picker == nullptr) return refuse_null("picker");
+  if (point == nullptr) return refuse_null("point");
+  if (out == nullptr) return refuse_null("out");
+  abut_pose pose;
+  if (abut_geometries_poses(picker->universe.get(), &geometry, 1, &pose) == ABUT_STALE_ID)
+    return refuse_stale("geometry", geometry);
+  if (const abut_status status = check_position(*point, "point"); status != ABUT_OK) return status;
+  const abut_status status = picker->picker.weigh(geometry, face, *point, *out);
+  switch (status) {
+    case ABUT_STALE_ID:
+      return refuse(ABUT_UNSUPPORTED, "geometry.slot", geometry.slot,
+                    "rays do not meet this geometry: it is parked, a sensor, or without layers");
+    case ABUT_UNSUPPORTED: return refuse(status, "geometry.slot", geometry.slot, "its shape has no triangles");
+    case ABUT_INDEX_OUT_OF_RANGE: return refuse(status, "face", face, "the geometry has no such face");
+    case ABUT_ZERO_VECTOR: return refuse(status, "face", face, "its triangles have no area");
+    default: return answer(status);
+  }
 }

@@ -73,6 +73,23 @@ constexpr double largest_coordinate = 1e70;
   return ABUT_OK;
 }
 
+// Sizes and places in pixels.
+[[nodiscard]] abut_status check_pixels_of(const abut_camera& camera) noexcept {
+  if (!std::isfinite(camera.vertical_extent))
+    return refuse(ABUT_NOT_FINITE, "camera.vertical_extent", camera.vertical_extent, "it must be finite");
+  if (!(camera.vertical_extent > 0))
+    return refuse(ABUT_OUT_OF_RANGE, "camera.vertical_extent", camera.vertical_extent, "it must be positive");
+  if (!std::isfinite(camera.pixel_aspect))
+    return refuse(ABUT_NOT_FINITE, "camera.pixel_aspect", camera.pixel_aspect, "it must be finite");
+  if (!(camera.pixel_aspect > 0))
+    return refuse(ABUT_OUT_OF_RANGE, "camera.pixel_aspect", camera.pixel_aspect, "it must be positive");
+  if (!std::isfinite(camera.shift_x))
+    return refuse(ABUT_NOT_FINITE, "camera.shift_x", camera.shift_x, "it must be finite");
+  if (!std::isfinite(camera.shift_y))
+    return refuse(ABUT_NOT_FINITE, "camera.shift_y", camera.shift_y, "it must be finite");
+  return ABUT_OK;
+}
+
 // Null ids name nothing; any other has to be there.
 [[nodiscard]] abut_status check_ignored(const abut_universe* universe, const abut_query_filter& filter) noexcept {
   const abut_part_id& part = filter.ignore_part;
@@ -114,6 +131,12 @@ abut_status check_size(const abut_camera& camera) noexcept {
 abut_status check_camera(const abut_camera& camera) noexcept {
   if (const abut_status status = check_size(camera); status != ABUT_OK) return status;
   if (camera.reserved != 0) return refuse(ABUT_INVALID_ARGUMENT, "camera.reserved", camera.reserved, "it must be 0");
+  if (camera.projection > ABUT_PROJECTION_ORTHOGRAPHIC) {
+    return refuse(ABUT_UNKNOWN_VALUE, "camera.projection", camera.projection, "it must be a value of abut_projection");
+  }
+  if (camera.depth_axis > ABUT_DEPTH_ALONG_AXIS) {
+    return refuse(ABUT_UNKNOWN_VALUE, "camera.depth_axis", camera.depth_axis, "it must be a value of abut_depth_axis");
+  }
   if (camera.width == 0) return refuse(ABUT_OUT_OF_RANGE, "camera.width", 0, "it must be at least 1");
   if (camera.height == 0) return refuse(ABUT_OUT_OF_RANGE, "camera.height", 0, "it must be at least 1");
   if (const abut_status status = check_position(camera.pose.position, "camera.pose.position"); status != ABUT_OK)
@@ -133,12 +156,36 @@ abut_status check_camera(const abut_camera& camera) noexcept {
   if (!std::isfinite(camera.near_distance)) {
     return refuse(ABUT_NOT_FINITE, "camera.near_distance", camera.near_distance, "it must be finite");
   }
-  if (!(camera.near_distance >= 0 && camera.near_distance <= largest_coordinate))
-    return refuse(ABUT_OUT_OF_RANGE, "camera.near_distance", camera.near_distance, "it must lie between 0 and 1e70");
+  const bool may_be_behind = camera.projection == ABUT_PROJECTION_ORTHOGRAPHIC;
+  if (camera.near_distance < 0 && !may_be_behind) {
+    return refuse(ABUT_OUT_OF_RANGE, "camera.near_distance", camera.near_distance,
+                  "it must be at least 0 in a perspective camera");
+  }
+  if (!(std::fabs(camera.near_distance) <= largest_coordinate))
+    return refuse(ABUT_OUT_OF_RANGE, "camera.near_distance", camera.near_distance, "its size must be at most 1e70");
   if (std::isnan(camera.far_distance))
     return refuse(ABUT_NOT_FINITE, "camera.far_distance", camera.far_distance, "it must be a number");
   if (camera.far_distance < camera.near_distance) {
     return refuse(ABUT_OUT_OF_RANGE, "camera.far_distance", camera.far_distance, "it must be at least near_distance");
+  }
+  return check_pixels_of(camera);
+}
+
+abut_status check_pixel(double pixels, const char* argument) noexcept {
+  return std::isfinite(pixels) ? ABUT_OK : refuse(ABUT_NOT_FINITE, argument, pixels, "it must be finite");
+}
+
+abut_status check_clip_planes(std::span<const abut_clip_plane> planes) noexcept {
+  for (std::size_t i = 0; i < planes.size(); ++i) {
+    std::array<char, 32> name{};
+    std::snprintf(name.data(), name.size(), "planes[%zu].normal", i);
+    const abut_clip_plane& plane = planes[i];
+    if (const abut_status status = check_finite(plane.normal, name.data()); status != ABUT_OK) return status;
+    if (is_zero(plane.normal)) return refuse(ABUT_ZERO_VECTOR, name.data(), 0, "it must have a length");
+    std::snprintf(name.data(), name.size(), "planes[%zu].offset", i);
+    if (!std::isfinite(plane.offset)) return refuse(ABUT_NOT_FINITE, name.data(), plane.offset, "it must be finite");
+    if (std::fabs(plane.offset) > largest_coordinate)
+      return refuse(ABUT_OUT_OF_RANGE, name.data(), plane.offset, "its size must be at most 1e70");
   }
   return ABUT_OK;
 }

@@ -19,6 +19,9 @@ namespace abut::capi {
 /// A camera of a later version is accepted when what this version does not know is zero.
 [[nodiscard]] abut_status check_size(const abut_camera& camera) noexcept;
 [[nodiscard]] abut_status check_camera(const abut_camera& camera) noexcept;
+/// A coordinate in a picture, or a radius there.
+[[nodiscard]] abut_status check_pixel(double pixels, const char* argument) noexcept;
+[[nodiscard]] abut_status check_clip_planes(std::span<const abut_clip_plane> planes) noexcept;
 
 /// A filter of rays of a universe, which may be null. On success `out` is null when it leaves nothing out.
 [[nodiscard]] abut_status read_filter(const abut_universe* universe, const abut_query_filter* filter,

@@ -87,6 +87,13 @@ std::optional<picking::RoundedSegment> UniverseShape::rounded() const {
   return picking::RoundedSegment{parameters[0], parameters.size() > 1 ? parameters[1] : 0};
 }
 
+bool UniverseShape::overlaps(const abut_pose& pose, const picking::PickableShape& solid) const noexcept {
+  constexpr abut_pose unmoved{.position = {0, 0, 0}, .orientation = {1, 0, 0, 0}};
+  const abut_shape* const other = static_cast<const UniverseShape&>(solid).shape_.get();
+  std::uint32_t found = 0;
+  return abut_pair_overlaps(shape_.get(), &pose, other, &unmoved, nullptr, &found) == ABUT_OK && found != 0;
+}
+
 namespace {
 
 // By which the universe tells it.
@@ -160,6 +167,21 @@ abut_status UniverseSource::shape(abut_geometry_id id, std::unique_ptr<picking::
   abut_geometry_info_init(&info, sizeof info);
   if (const abut_status status = abut_geometry_describe(universe_.get(), id, &info); status != ABUT_OK) return status;
   out = std::make_unique<UniverseShape>(info.shape);
+  return ABUT_OK;
+}
+
+abut_status UniverseSource::half_space(const abut_vec3& normal, double offset,
+                                       std::unique_ptr<picking::PickableShape>& out) const {
+  abut_shape* made = nullptr;
+  if (const abut_status status = abut_plane_create(&normal, offset, &made); status != ABUT_OK) return status;
+  out = std::make_unique<UniverseShape>(std::unique_ptr<abut_shape, ShapeRelease>(made));
+  return ABUT_OK;
+}
+
+abut_status UniverseSource::hull(std::span<const double> xyz, std::unique_ptr<picking::PickableShape>& out) const {
+  abut_shape* made = nullptr;
+  if (const abut_status status = abut_hull_create(xyz.data(), xyz.size() / 3, &made); status != ABUT_OK) return status;
+  out = std::make_unique<UniverseShape>(std::unique_ptr<abut_shape, ShapeRelease>(made));
   return ABUT_OK;
 }
 

@@ -11,6 +11,7 @@
 #include <optional>
 #include <span>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 import abut.picking;
@@ -26,6 +27,8 @@ class UniverseShape final : public picking::PickableShape {
  public:
   /// Adds a reference of its own.
   explicit UniverseShape(abut_shape* shape) noexcept;
+  /// Takes over a reference.
+  explicit UniverseShape(std::unique_ptr<abut_shape, ShapeRelease> shape) noexcept : shape_(std::move(shape)) {}
 
   [[nodiscard]] abut_status bounds(const abut_pose& pose, abut_aabb& out) const override;
   [[nodiscard]] abut_status triangle_count(std::size_t& out) const override;
@@ -33,6 +36,7 @@ class UniverseShape final : public picking::PickableShape {
   [[nodiscard]] abut_status faces(const picking::TriangleList& list, std::vector<std::uint32_t>& out) const override;
   [[nodiscard]] std::optional<abut_ray_hit> cast(const abut_pose& pose, const abut_ray& ray) const noexcept override;
   [[nodiscard]] std::optional<picking::RoundedSegment> rounded() const override;
+  [[nodiscard]] bool overlaps(const abut_pose& pose, const picking::PickableShape& solid) const noexcept override;
 
  private:
   [[nodiscard]] std::string_view kind() const;
@@ -60,6 +64,10 @@ class UniverseSource final : public picking::Source {
   [[nodiscard]] abut_status describe(abut_geometry_id id, picking::GeometryView& out) const override;
   [[nodiscard]] abut_status poses(std::span<const abut_geometry_id> ids, std::vector<abut_pose>& out) const override;
   [[nodiscard]] abut_status shape(abut_geometry_id id, std::unique_ptr<picking::PickableShape>& out) const override;
+  [[nodiscard]] abut_status half_space(const abut_vec3& normal, double offset,
+                                       std::unique_ptr<picking::PickableShape>& out) const override;
+  [[nodiscard]] abut_status hull(std::span<const double> xyz,
+                                 std::unique_ptr<picking::PickableShape>& out) const override;
 
  private:
   std::unique_ptr<const abut_universe, picking::Borrowed> universe_;

@@ -125,7 +125,14 @@ const layoutEntry = koffi.struct('abut_layout_entry', { type: 'str', field: 'str
 const pick = koffi.struct('abut_pick', { geometry: geometryId, feature: feature, child: 'uint32_t',
   reserved: 'uint32_t', distance: 'double', point: vector, normal: vector });
 const camera = koffi.struct('abut_camera', { structSize: 'uint32_t', width: 'uint32_t', height: 'uint32_t',
-  reserved: 'uint32_t', pose: pose, verticalFov: 'double', nearDistance: 'double', farDistance: 'double' });
+  projection: 'uint32_t', pose: pose, verticalFov: 'double', nearDistance: 'double', farDistance: 'double',
+  verticalExtent: 'double', pixelAspect: 'double', shiftX: 'double', shiftY: 'double', depthAxis: 'uint32_t',
+  reserved: 'uint32_t' });
+const clipPlane = koffi.struct('abut_clip_plane', { normal: vector, offset: 'double' });
+const snap = koffi.struct('abut_snap', { geometry: geometryId, kind: 'uint32_t', vertices: koffi.array('uint32_t', 2),
+  reserved: 'uint32_t', parameter: 'double', pixels: 'double', distance: 'double', point: vector });
+const barycentric = koffi.struct('abut_barycentric', { triangle: 'uint32_t', vertices: koffi.array('uint32_t', 3),
+  weights: koffi.array('double', 3) });
 const contactProblem = koffi.struct('abut_contact_problem', { structSize: 'uint32_t', bodyCount: 'uint32_t',
   contactCount: 'uint32_t', reserved: 'uint32_t', masses: 'double *', inertias: 'double *', centres: 'double *',
   freeVelocities: 'double *', bodies: 'uint32_t *', points: 'double *', normals: 'double *', tangents: 'double *',
@@ -172,8 +179,9 @@ export const structs = { vector, quaternion, pose, aabb, partId, geometryId, fea
   elementPair, crossing, movement, impactOptions, impact, universeOptions, partOptions, sleep, geometryOptions,
   geometryInfo, revision, collidable, policy, focus, contactMaterial, event, sleepChange, localPoints, stepStats,
   finding, island, velocity, acceleration, stepImpact, elementContact, queryFilter, hit, castHit, impactHit, closest,
-  layoutEntry, pick, camera, contactProblem, solverOptions, residuals, massProperties, responseOptions, bodyOptions,
-  contactLaw, responseSide, linkOptions, responseContact, responseObject, responseIsland, energy, responseFinding };
+  layoutEntry, pick, camera, clipPlane, snap, barycentric, contactProblem, solverOptions, residuals, massProperties,
+  responseOptions, bodyOptions, contactLaw, responseSide, linkOptions, responseContact, responseObject, responseIsland,
+  energy, responseFinding };
 
 export const callbacks = {
   log: koffi.pointer(koffi.proto('void abut_log(void *context, uint32_t level, void *message)')),
@@ -409,15 +417,23 @@ export const prototypes = {
   picking: [
     'void abut_camera_init(_Out_ abut_camera *camera, uint32_t struct_size)',
     'int32_t abut_camera_look_at(_Inout_ abut_camera *camera, const abut_vec3 *eye, const abut_vec3 *target, const abut_vec3 *up)',
+    'int32_t abut_camera_set_projection(_Inout_ abut_camera *camera, const double *matrix, uint32_t depth)',
     'int32_t abut_camera_ray(const abut_camera *camera, double x, double y, _Out_ abut_ray *out)',
     'int32_t abut_picker_create(abut_universe *universe, _Out_ abut_picker **out)',
     'void abut_picker_destroy(abut_picker *picker)',
     'int32_t abut_picker_update(abut_picker *picker)',
+    'int32_t abut_picker_set_flags(abut_picker *picker, uint32_t flags)',
+    'int32_t abut_picker_set_clip_planes(abut_picker *picker, const abut_clip_plane *planes, size_t count)',
     'int32_t abut_picker_cast_ray(abut_picker *picker, const abut_ray *ray, const abut_query_filter *filter, _Out_ abut_pick *out)',
     'int32_t abut_picker_cast_rays(abut_picker *picker, const abut_ray *rays, size_t count, uint32_t coherence, const abut_query_filter *filter, void *out)',
+    'int32_t abut_picker_ray_hits(abut_picker *picker, const abut_ray *ray, const abut_query_filter *filter, _Out_ uint32_t *out)',
+    'int32_t abut_picker_rays_hit(abut_picker *picker, const abut_ray *rays, size_t count, uint32_t coherence, const abut_query_filter *filter, void *out)',
     'int32_t abut_picker_cast_ray_all(abut_picker *picker, const abut_ray *ray, const abut_query_filter *filter, void *picks, size_t capacity, _Out_ size_t *count)',
     'int32_t abut_picker_pick_pixel(abut_picker *picker, const abut_camera *camera, double x, double y, double radius, const abut_query_filter *filter, _Out_ abut_pick *out)',
     'int32_t abut_picker_render(abut_picker *picker, const abut_camera *camera, const abut_query_filter *filter, void *out, size_t capacity)',
+    'int32_t abut_picker_select_rectangle(abut_picker *picker, const abut_camera *camera, double x0, double y0, double x1, double y1, uint32_t selection, const abut_query_filter *filter, void *geometries, size_t capacity, _Out_ size_t *count)',
+    'int32_t abut_picker_snap(abut_picker *picker, const abut_camera *camera, double x, double y, double radius, uint32_t kinds, const abut_query_filter *filter, _Out_ abut_snap *out)',
+    'int32_t abut_picker_barycentric(abut_picker *picker, abut_geometry_id geometry, uint32_t face, const abut_vec3 *point, _Out_ abut_barycentric *out)',
   ],
   response: [
     'void abut_contact_problem_init(_Out_ abut_contact_problem *problem, uint32_t struct_size)',

@@ -33,12 +33,14 @@ inline constexpr RTCSceneFlags filtered_scene = RTC_SCENE_FLAG_FILTER_FUNCTION_I
 // Context of one query; derive from it to hand data to callbacks.
 struct Query : NativeContext {
   RTCIntersectArguments arguments;
+  RTCOccludedArguments any;  // of queries for any hit
 
-  explicit Query(bool coherent) noexcept : NativeContext{}, arguments{} {
+  explicit Query(bool coherent) noexcept : NativeContext{}, arguments{}, any{} {
     rtcInitRayQueryContext(this);
     rtcInitIntersectArguments(&arguments);
-    arguments.context = this;
-    arguments.flags = coherent ? RTC_RAY_QUERY_FLAG_COHERENT : RTC_RAY_QUERY_FLAG_INCOHERENT;
+    rtcInitOccludedArguments(&any);
+    arguments.context = any.context = this;
+    arguments.flags = any.flags = coherent ? RTC_RAY_QUERY_FLAG_COHERENT : RTC_RAY_QUERY_FLAG_INCOHERENT;
   }
   // The arguments point to the context, which is this object.
   Query(const Query&) = delete;
@@ -46,11 +48,13 @@ struct Query : NativeContext {
 
   // Sets the function that sees each hit on a triangle; null for none.
   void filter_hits(RTCFilterFunctionN function) noexcept {
-    arguments.filter = function;
-    arguments.flags = function != nullptr ? RTC_RAY_QUERY_FLAG_INVOKE_ARGUMENT_FILTER : RTC_RAY_QUERY_FLAG_INCOHERENT;
+    arguments.filter = any.filter = function;
+    arguments.flags = any.flags =
+        function != nullptr ? RTC_RAY_QUERY_FLAG_INVOKE_ARGUMENT_FILTER : RTC_RAY_QUERY_FLAG_INCOHERENT;
   }
 };
 
+// Nearest hits. Those of `occlude` are any hits: a ray that has one gets a limit below 0.
 inline void intersect(RTCScene scene, Query& query, RTCRayHit& ray) { rtcIntersect1(scene, &ray, &query.arguments); }
 inline void intersect(RTCScene scene, Query& query, const int* valid, RTCRayHit4& rays) {
   rtcIntersect4(valid, scene, &rays, &query.arguments);
@@ -60,6 +64,17 @@ inline void intersect(RTCScene scene, Query& query, const int* valid, RTCRayHit8
 }
 inline void intersect(RTCScene scene, Query& query, const int* valid, RTCRayHit16& rays) {
   rtcIntersect16(valid, scene, &rays, &query.arguments);
+}
+
+inline void occlude(RTCScene scene, Query& query, RTCRay& ray) { rtcOccluded1(scene, &ray, &query.any); }
+inline void occlude(RTCScene scene, Query& query, const int* valid, RTCRay4& rays) {
+  rtcOccluded4(valid, scene, &rays, &query.any);
+}
+inline void occlude(RTCScene scene, Query& query, const int* valid, RTCRay8& rays) {
+  rtcOccluded8(valid, scene, &rays, &query.any);
+}
+inline void occlude(RTCScene scene, Query& query, const int* valid, RTCRay16& rays) {
+  rtcOccluded16(valid, scene, &rays, &query.any);
 }
 
 #else
@@ -80,6 +95,7 @@ struct Query : NativeContext {
   void filter_hits(RTCFilterFunctionN function) noexcept { filter = function; }
 };
 
+// Nearest hits. Those of `occlude` are any hits: a ray that has one gets a limit below 0.
 inline void intersect(RTCScene scene, Query& query, RTCRayHit& ray) { rtcIntersect1(scene, &query, &ray); }
 inline void intersect(RTCScene scene, Query& query, const int* valid, RTCRayHit4& rays) {
   rtcIntersect4(valid, scene, &query, &rays);
@@ -89,6 +105,17 @@ inline void intersect(RTCScene scene, Query& query, const int* valid, RTCRayHit8
 }
 inline void intersect(RTCScene scene, Query& query, const int* valid, RTCRayHit16& rays) {
   rtcIntersect16(valid, scene, &query, &rays);
+}
+
+inline void occlude(RTCScene scene, Query& query, RTCRay& ray) { rtcOccluded1(scene, &query, &ray); }
+inline void occlude(RTCScene scene, Query& query, const int* valid, RTCRay4& rays) {
+  rtcOccluded4(valid, scene, &query, &rays);
+}
+inline void occlude(RTCScene scene, Query& query, const int* valid, RTCRay8& rays) {
+  rtcOccluded8(valid, scene, &query, &rays);
+}
+inline void occlude(RTCScene scene, Query& query, const int* valid, RTCRay16& rays) {
+  rtcOccluded16(valid, scene, &query, &rays);
 }
 
 #endif

@@ -61,6 +61,13 @@ struct Instanced {
   embree::Scene scene;
 };
 
+// What a cursor snaps to: vertices that triangles use, and edges by their ends.
+struct Wires {
+  std::vector<double> xyz;
+  std::vector<std::uint32_t> vertices;
+  std::vector<std::array<std::uint32_t, 2>> edges;
+};
+
 // A shape, shared by entries.
 struct ShapeRecord {
   std::uintptr_t key = 0;
@@ -76,6 +83,7 @@ struct ShapeRecord {
   std::unique_ptr<Instanced> instanced;  // made when first needed
   // The same, by a query: under the lock of the tracer.
   mutable std::unique_ptr<const CrossedSurface> crossed;
+  mutable std::unique_ptr<const Wires> wires;
 
   [[nodiscard]] bool is_thin() const noexcept { return rounded && rounded->radius == 0; }
 };

@@ -15,7 +15,9 @@ module;
 export module abut.picking:source;
 
 export using ::abut_aabb;
+export using ::abut_barycentric;
 export using ::abut_camera;
+export using ::abut_clip_plane;
 export using ::abut_geometry_id;
 export using ::abut_pick;
 export using ::abut_part_id;
@@ -23,6 +25,8 @@ export using ::abut_pose;
 export using ::abut_query_filter;
 export using ::abut_ray;
 export using ::abut_ray_hit;
+export using ::abut_snap;
+export using ::abut_snap_kinds;
 export using ::abut_status;
 export using ::abut_vec3;
 
@@ -64,6 +68,8 @@ class PickableShape {
   [[nodiscard]] virtual std::optional<abut_ray_hit> cast(const abut_pose& pose, const abut_ray& ray) const noexcept = 0;
   // Whether the shape is a sphere, a capsule, a point or a segment, and which one.
   [[nodiscard]] virtual std::optional<RoundedSegment> rounded() const = 0;
+  // Whether it has a point in common with a solid of its source, which lies as it was made.
+  [[nodiscard]] virtual bool overlaps(const abut_pose& pose, const PickableShape& solid) const noexcept = 0;
 };
 
 // What queries are filtered by: see abut_query_filter.
@@ -114,6 +120,10 @@ class Source {
   [[nodiscard]] virtual abut_status poses(std::span<const abut_geometry_id> ids, std::vector<abut_pose>& out) const = 0;
   // Access to the shape of a geometry.
   [[nodiscard]] virtual abut_status shape(abut_geometry_id id, std::unique_ptr<PickableShape>& out) const = 0;
+  // Solids that shapes may overlap: the points p with dot(normal, p) <= offset, and the hull of points.
+  [[nodiscard]] virtual abut_status half_space(const abut_vec3& normal, double offset,
+                                               std::unique_ptr<PickableShape>& out) const = 0;
+  [[nodiscard]] virtual abut_status hull(std::span<const double> xyz, std::unique_ptr<PickableShape>& out) const = 0;
 };
 
 }  // namespace abut::picking

@@ -145,9 +145,22 @@ void compare(World& world, Editor& editor, int rays, const abut_query_filter* fi
         ABUT_OK)
         << abut_last_error_message();
   }
+  std::array<std::vector<std::uint32_t>, 2> met;
+  for (const abut_coherence coherence : {ABUT_COHERENCE_NONE, ABUT_COHERENCE_NEIGHBOURS}) {
+    met[coherence].resize(asked.size());
+    ASSERT_EQ(
+        abut_picker_rays_hit(world.picker(), asked.data(), asked.size(), coherence, filter, met[coherence].data()),
+        ABUT_OK)
+        << abut_last_error_message();
+  }
   for (std::size_t i = 0; i < asked.size(); ++i) {
     SCOPED_TRACE("ray " + std::to_string(i));
     const abut_pick expected = hit_of_universe(world, asked[i], filter);
+    std::uint32_t is_met = 2;
+    ASSERT_EQ(abut_picker_ray_hits(world.picker(), &asked[i], filter, &is_met), ABUT_OK);
+    EXPECT_EQ(is_met, expected.geometry.slot == 0 ? 0U : 1U);
+    EXPECT_EQ(met[ABUT_COHERENCE_NONE][i], is_met);
+    EXPECT_EQ(met[ABUT_COHERENCE_NEIGHBOURS][i], is_met);
     abut_pick single{};
     ASSERT_EQ(abut_picker_cast_ray(world.picker(), &asked[i], filter, &single), ABUT_OK) << abut_last_error_message();
     EXPECT_TRUE(is_same_pick(single, expected, scene_size));
@@ -174,6 +187,7 @@ void compare(World& world, Editor& editor, int rays, const abut_query_filter* fi
 TEST(Picker, AnswersAsItsUniverseAfterAnyEdits) {
   for (const std::uint64_t seed : {101U, 102U, 103U}) {
     World world;
+    ASSERT_EQ(abut_picker_set_flags(world.picker(), ABUT_PICKER_SENSORS), ABUT_OK);
     Random random(seed);
     Editor editor(world, random);
     for (int round = 0; round < 8 && !testing::Test::HasFailure(); ++round) {
@@ -216,6 +230,7 @@ TEST(Picker, MeetsTheNewShapeOfAGeometry) {
 
 TEST(Picker, SeesOptionsThatChange) {
   World world;
+  ASSERT_EQ(abut_picker_set_flags(world.picker(), ABUT_PICKER_SENSORS), ABUT_OK);
   const Placed placed = world.add(ball_mesh(1, 10), {0, 0, 0});
   EXPECT_NE(world.pick(along_x).geometry.slot, 0U);
   abut_geometry_options options;
@@ -235,6 +250,11 @@ TEST(Picker, SeesOptionsThatChange) {
   EXPECT_NE(world.pick(along_x, &filter).geometry.slot, 0U);
   filter.flags = ABUT_QUERY_FILTER_SKIP_SENSORS;
   EXPECT_EQ(world.pick(along_x, &filter).geometry.slot, 0U);
+  ASSERT_EQ(abut_picker_set_flags(world.picker(), 0), ABUT_OK);
+  EXPECT_EQ(world.pick(along_x).geometry.slot, 0U);
+  options.flags = 0;
+  ASSERT_EQ(abut_geometry_set_options(world.universe(), placed.geometry, &options), ABUT_OK);
+  EXPECT_NE(world.pick(along_x).geometry.slot, 0U);
 }
 
 TEST(Picker, LeavesTheLastMessageWhenItSucceeds) {

@@ -244,10 +244,48 @@ namespace Abut
         Nearest = 0, Any = 1, All = 2
     }
 
+    /// <summary>How a camera maps space to its picture.</summary>
+    public enum Projection : uint
+    {
+        Perspective = 0, Orthographic = 1
+    }
+
+    /// <summary>Along which line near_distance and far_distance of a camera are measured.</summary>
+    public enum DepthAxis : uint
+    {
+        Ray = 0, Axis = 1
+    }
+
+    /// <summary>Which depths a projection matrix maps the near and the far plane to.</summary>
+    public enum ClipDepth : uint
+    {
+        Signed = 0, Unsigned = 1
+    }
+
+    /// <summary>What the queries of a picker see.</summary>
+    [Flags]
+    public enum PickerFlags : uint
+    {
+        None = 0, Sensors = 1, SkipBackFaces = 2
+    }
+
     /// <summary>How similar the rays of a batch are; a hint that changes only the speed.</summary>
     public enum Coherence : uint
     {
         None = 0, Neighbours = 1
+    }
+
+    /// <summary>Which geometries a rectangle selects.</summary>
+    public enum Selection : uint
+    {
+        Touching = 0, Inside = 1
+    }
+
+    /// <summary>What a cursor may snap to.</summary>
+    [Flags]
+    public enum SnapKinds : uint
+    {
+        None = 0, Vertex = 1, Midpoint = 2, Edge = 4
     }
 
     /// <summary>How a contact problem is solved.</summary>
@@ -994,18 +1032,55 @@ namespace Abut
         public ulong Size;
     }
 
-    /// <summary>A pinhole camera that looks along its local -Z, with local +Y up.</summary>
+    /// <summary>A camera that looks along its local -Z, with local +Y up.</summary>
     [StructLayout(LayoutKind.Sequential)]
     public partial struct Camera
     {
         public uint StructSize;
         public uint Width;
         public uint Height;
-        private readonly uint reserved;
+        public Projection Projection;
         public Pose Pose;
         public double VerticalFov;
         public double NearDistance;
         public double FarDistance;
+        public double VerticalExtent;
+        public double PixelAspect;
+        public double ShiftX;
+        public double ShiftY;
+        public DepthAxis DepthAxis;
+        private readonly uint reserved;
+    }
+
+    /// <summary>Keeps the points p with dot(normal, p) &gt;= offset, and cuts all others away.</summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public partial struct ClipPlane
+    {
+        public Vector Normal;
+        public double Offset;
+    }
+
+    /// <summary>A vertex, or a point of an edge.</summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public partial struct Snap
+    {
+        public GeometryId Geometry;
+        public SnapKinds Kind;
+        [MarshalAs(UnmanagedType.ByValArray, SizeConst = 2)] public uint[] Vertices;
+        private readonly uint reserved;
+        public double Parameter;
+        public double Pixels;
+        public double Distance;
+        public Vector Point;
+    }
+
+    /// <summary>A point of a triangle, as weights of its corners, which add up to 1.</summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public partial struct Barycentric
+    {
+        public uint Triangle;
+        [MarshalAs(UnmanagedType.ByValArray, SizeConst = 3)] public uint[] Vertices;
+        [MarshalAs(UnmanagedType.ByValArray, SizeConst = 3)] public double[] Weights;
     }
 
     /// <summary>Bodies and the contacts between them, at one moment.</summary>
@@ -1444,15 +1519,23 @@ namespace Abut
         [DllImport("abut")] internal static extern Status abut_layout_at(UIntPtr index, out LayoutEntry @out);
         [DllImport("abut_picking")] internal static extern void abut_camera_init(out Camera camera, uint structSize);
         [DllImport("abut_picking")] internal static extern Status abut_camera_look_at(ref Camera camera, ref Vector eye, ref Vector target, ref Vector up);
+        [DllImport("abut_picking")] internal static extern Status abut_camera_set_projection(ref Camera camera, double[] matrix, ClipDepth depth);
         [DllImport("abut_picking")] internal static extern Status abut_camera_ray(ref Camera camera, double x, double y, out Ray @out);
         [DllImport("abut_picking")] internal static extern Status abut_picker_create(Universe universe, out IntPtr @out);
         [DllImport("abut_picking")] internal static extern void abut_picker_destroy(IntPtr picker);
         [DllImport("abut_picking")] internal static extern Status abut_picker_update(Picker picker);
+        [DllImport("abut_picking")] internal static extern Status abut_picker_set_flags(Picker picker, PickerFlags flags);
+        [DllImport("abut_picking")] internal static extern Status abut_picker_set_clip_planes(Picker picker, ClipPlane[] planes, UIntPtr count);
         [DllImport("abut_picking")] internal static extern Status abut_picker_cast_ray(Picker picker, ref Ray ray, QueryFilter[] filter, out Hit @out);
         [DllImport("abut_picking")] internal static extern Status abut_picker_cast_rays(Picker picker, Ray[] rays, UIntPtr count, Coherence coherence, QueryFilter[] filter, [Out] Hit[] @out);
+        [DllImport("abut_picking")] internal static extern Status abut_picker_ray_hits(Picker picker, ref Ray ray, QueryFilter[] filter, out uint @out);
+        [DllImport("abut_picking")] internal static extern Status abut_picker_rays_hit(Picker picker, Ray[] rays, UIntPtr count, Coherence coherence, QueryFilter[] filter, [Out] uint[] @out);
         [DllImport("abut_picking")] internal static extern Status abut_picker_cast_ray_all(Picker picker, ref Ray ray, QueryFilter[] filter, [Out] Hit[] picks, UIntPtr capacity, out UIntPtr count);
         [DllImport("abut_picking")] internal static extern Status abut_picker_pick_pixel(Picker picker, ref Camera camera, double x, double y, double radius, QueryFilter[] filter, out Hit @out);
         [DllImport("abut_picking")] internal static extern Status abut_picker_render(Picker picker, ref Camera camera, QueryFilter[] filter, [Out] Hit[] @out, UIntPtr capacity);
+        [DllImport("abut_picking")] internal static extern Status abut_picker_select_rectangle(Picker picker, ref Camera camera, double x0, double y0, double x1, double y1, Selection selection, QueryFilter[] filter, [Out] GeometryId[] geometries, UIntPtr capacity, out UIntPtr count);
+        [DllImport("abut_picking")] internal static extern Status abut_picker_snap(Picker picker, ref Camera camera, double x, double y, double radius, SnapKinds kinds, QueryFilter[] filter, out Snap @out);
+        [DllImport("abut_picking")] internal static extern Status abut_picker_barycentric(Picker picker, GeometryId geometry, uint face, ref Vector point, out Barycentric @out);
         [DllImport("abut_response")] internal static extern void abut_contact_problem_init(out ContactProblem problem, uint structSize);
         [DllImport("abut_response")] internal static extern void abut_solver_options_init(out SolverOptions options, uint structSize);
         [DllImport("abut_response")] internal static extern Status abut_contact_problem_solve(ref ContactProblem problem, SolverOptions[] options, [Out] double[] velocities, [Out] double[] impulses, out Residuals @out);
@@ -1559,7 +1642,10 @@ namespace Abut
             { typeof(ImpactHit), 144 },
             { typeof(Closest), 112 },
             { typeof(LayoutEntry), 32 },
-            { typeof(Camera), 96 },
+            { typeof(Camera), 136 },
+            { typeof(ClipPlane), 32 },
+            { typeof(Snap), 72 },
+            { typeof(Barycentric), 40 },
             { typeof(ContactProblem), 128 },
             { typeof(SolverOptions), 32 },
             { typeof(Residuals), 48 },

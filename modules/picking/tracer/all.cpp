@@ -64,7 +64,10 @@ constexpr double largest_boxed = 1e9;
 }  // namespace
 
 abut_status Tracer::trace_all(const abut_ray& ray, const abut_query_filter* filter, std::vector<abut_pick>& out) const {
-  const abut_ray unit{ray.origin, normalized(ray.direction), ray.max_distance};
+  abut_ray unit{ray.origin, normalized(ray.direction), ray.max_distance};
+  double skipped = 0;
+  out.clear();
+  if (!trim(unit, skipped)) return ABUT_OK;
   AllHits query(unit, filter);
   for (const Baked& baked : baked_) query.met.push_back(baked.entry);
   query.met.insert(query.met.end(), apart_.begin(), apart_.end());
@@ -80,6 +83,9 @@ abut_status Tracer::trace_all(const abut_ray& ray, const abut_query_filter* filt
     if (const abut_status status = cross(query, index); status != ABUT_OK) return status;
   }
   merge_crossings(query.crossings, unit.direction, out);
+  if (skips_back_faces_)
+    std::erase_if(out, [&](const abut_pick& pick) { return dot(pick.normal, unit.direction) > 0; });
+  for (abut_pick& pick : out) pick.distance += skipped;
   return ABUT_OK;
 }
 
@@ -153,32 +159,11 @@ abut_status Tracer::cross_surface(AllHits& query, const Entry& entry, const Shap
   return ABUT_OK;
 }
 
-// Crossing after crossing: each ray starts behind the crossing before, by more than that may be off. A crossing of the
-// same side within the blur is the same one; there the next ray starts further behind, so that this ends also for a ray
-// that runs along a surface.
 void Tracer::cross_exact(AllHits& query, const Entry& entry, const ShapeRecord& shape) {
-  constexpr double least_step = 0x1p-44;
-  constexpr double blur = 0x1p-38;
-  const abut_ray& ray = query.ray;
-  const double coordinates = largest_component(ray.origin) + largest_component(entry.pose.position);
-  double start = 0;
-  double step = least_step;
-  double last = -infinity;
-  bool entered = false;
-  while (start <= ray.max_distance) {
-    const abut_ray rest{add(ray.origin, scale(ray.direction, start)), ray.direction, ray.max_distance - start};
-    auto hit = shape.access->cast(entry.pose, rest);
-    if (!hit) return;
-    hit->distance += start;
-    const double size = coordinates + hit->distance;
-    const bool enters = dot(hit->normal, ray.direction) < 0;
-    const bool repeats = enters == entered && hit->distance - last <= blur * size;
-    if (!repeats) query.crossings.push_back({.pick = pick_of(entry.id, *hit), .blur = 0});
-    step = repeats ? 2 * step : least_step;
-    last = hit->distance;
-    entered = enters;
-    start = hit->distance + step * size;
-  }
+  visit_crossings(*shape.access, entry.pose, query.ray, [&](const abut_ray_hit& hit) {
+    query.crossings.push_back({.pick = pick_of(entry.id, hit), .blur = 0});
+    return true;
+  });
 }
 
 }  // namespace abut::picking

@@ -72,7 +72,8 @@ abut_status Tracer::build() {
 
 void Tracer::settle_usual_rays() {
   const double reach = 2 * still_space_.extent;
-  usual_reach_ = baked_.empty() || has_moving() ? Four(-1) : Four{reach, reach, reach, infinity};
+  const bool has_usual = !baked_.empty() && !has_moving() && !skips_back_faces_ && clip_planes_.empty();
+  usual_reach_ = has_usual ? Four{reach, reach, reach, infinity} : Four(-1);
 }
 
 // Decides which of the surfaces that arrived are baked; the others stay in arrivals_. Baking builds
@@ -240,7 +241,8 @@ abut_status Tracer::make_instanced(ShapeRecord& shape) {
   add_planes(list, made->surface);
   made->scene = embree::Scene(rtcNewScene(device_.get()));
   if (!made->scene) return ABUT_OUT_OF_MEMORY;
-  rtcSetSceneFlags(made->scene.get(), shape.is_steep ? RTC_SCENE_FLAG_ROBUST : RTC_SCENE_FLAG_NONE);
+  rtcSetSceneFlags(made->scene.get(),
+                   shape.is_steep ? embree::filtered_scene | RTC_SCENE_FLAG_ROBUST : embree::filtered_scene);
   const embree::Geometry geometry = make_triangles(device_.get(), list, made->space, outlines_of(shape.is_steep));
   if (!geometry) return ABUT_OUT_OF_MEMORY;
   rtcAttachGeometryByID(made->scene.get(), geometry.get(), 0);

@@ -98,6 +98,7 @@ abut_status Tracer::commit(MovingScene& moving) {
     rtcSetGeometryUserData(moving.geometry.get(), &moving);
     rtcSetGeometryBoundsFunction(moving.geometry.get(), report_bounds, nullptr);
     rtcSetGeometryIntersectFunction(moving.geometry.get(), report_hits);
+    rtcSetGeometryOccludedFunction(moving.geometry.get(), report_any);
     rtcAttachGeometryByID(moving.scene.get(), moving.geometry.get(), 0);
   }
   rtcSetGeometryUserPrimitiveCount(moving.geometry.get(), static_cast<unsigned>(moving.boxes.size()));

@@ -43,11 +43,6 @@ constexpr double farthest_traced = 1e12;
   return is_bounded(box) && reach_of(box, {0, 0, 0}) <= farthest_traced;
 }
 
-// What no filter lets rays meet is left out.
-[[nodiscard]] bool is_met(const GeometryView& view) {
-  return !view.is_parked && view.traits.layers != 0 && view.traits.mask != 0;
-}
-
 template <class Value>
 [[nodiscard]] std::uint32_t take_slot(std::vector<Value>& values, std::vector<std::uint32_t>& free) {
   if (free.empty()) {
@@ -66,6 +61,31 @@ template <class Value>
 }
 
 }  // namespace
+
+// What no filter lets rays meet is left out.
+bool Tracer::is_met(const GeometryView& view) const {
+  return !view.is_parked && view.traits.layers != 0 && view.traits.mask != 0 &&
+         (sees_sensors_ || !view.traits.is_sensor);
+}
+
+void Tracer::note_box(const Entry& entry) {
+  if (is_traceable(entry.box)) {
+    boxes_.set(entry.id.slot, entry.box);
+  } else {
+    boxes_.erase(entry.id.slot);
+  }
+}
+
+void Tracer::set_flags(bool sees_sensors, bool skips_back_faces) {
+  skips_back_faces_ = skips_back_faces;
+  if (std::exchange(sees_sensors_, sees_sensors) != sees_sensors) forget_everything();
+  settle_usual_rays();
+}
+
+void Tracer::set_clip_planes(std::vector<HalfSpace> planes) {
+  clip_planes_ = std::move(planes);
+  settle_usual_rays();
+}
 
 abut_status Tracer::catch_up() {
   // The world does not change while queries run, so no ray is under way in a scene that is stale.
@@ -181,6 +201,7 @@ abut_status Tracer::add_entry(abut_geometry_id id, const GeometryView& view) {
   entry_of_slot_[id.slot] = index;
   thin_count_ += shapes_[shape].is_thin() ? 1 : 0;
   if (const abut_status status = place_box(entry); status != ABUT_OK) return status;
+  note_box(entry);
   if (shapes_[shape].is_surface && is_traceable(entry.box)) {
     arrivals_.push_back(index);
     return ABUT_OK;
@@ -270,6 +291,7 @@ abut_status Tracer::move_entry(std::uint32_t index, const abut_pose& pose) {
   entry.pose = pose;
   entry.frame = frame_of(pose);
   if (const abut_status status = place_box(entry); status != ABUT_OK) return status;
+  note_box(entry);
   if (entry.place == nowhere) return ABUT_OK;
   const bool is_moving = entry.role == Role::instance || entry.role == Role::exact;
   if (entry.role == Role::apart && !is_traceable(entry.box)) return ABUT_OK;
@@ -286,7 +308,10 @@ void Tracer::remove_entry(std::uint32_t index) {
   leave_place(entry);
   std::erase(arrivals_, index);
   thin_count_ -= shapes_[entry.shape].is_thin() ? 1 : 0;
-  if (entry_of_slot_[entry.id.slot] == index) entry_of_slot_[entry.id.slot] = nowhere;
+  if (entry_of_slot_[entry.id.slot] == index) {
+    entry_of_slot_[entry.id.slot] = nowhere;
+    boxes_.erase(entry.id.slot);
+  }
   release_shape(entry.shape);
   free_entries_.push_back(index);
   entry = Entry{};
@@ -358,6 +383,7 @@ void Tracer::forget_everything() {
   entries_.clear();
   free_entries_.clear();
   entry_of_slot_.clear();
+  boxes_.clear();
   shape_of_key_.clear();
   shapes_.clear();
   free_shapes_.clear();

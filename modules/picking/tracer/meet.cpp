@@ -25,7 +25,7 @@ import :vector;
 
 namespace abut::picking {
 
-// Rejects the hits on surfaces of the still scene that the filter leaves out.
+// Rejects the hits on surfaces of the still scene that the filter leaves out, or that are seen from behind.
 void reject_hits(const RTCFilterFunctionNArguments* arguments) {
   const auto& self = *static_cast<const Tracer*>(arguments->geometryUserPtr);
   const auto& trace = static_cast<const Trace&>(static_cast<const embree::Query&>(*arguments->context));
@@ -34,13 +34,15 @@ void reject_hits(const RTCFilterFunctionNArguments* arguments) {
   for (unsigned i = 0; i < arguments->N; ++i) {
     if (arguments->valid[i] == 0) continue;
     const Baked& baked = self.baked_[RTCHitN_geomID(arguments->hit, arguments->N, i)];
-    if (!admits(trace.wanted.get(), self.entries_[baked.entry])) arguments->valid[i] = 0;
+    if (!admits(trace.wanted.get(), self.entries_[baked.entry]) || self.is_behind(baked, *arguments, i))
+      arguments->valid[i] = 0;
   }
   ABUT_UNSAFE_END
 }
 
-StillHit::StillHit(bool are_neighbours, const abut_query_filter* given) noexcept : Trace(are_neighbours, false, given) {
-  if (given != nullptr) filter_hits(reject_hits);
+StillHit::StillHit(bool are_neighbours, bool skips_back_faces, const abut_query_filter* given) noexcept
+    : Trace(are_neighbours, false, given) {
+  if (given != nullptr || skips_back_faces) filter_hits(reject_hits);
 }
 
 void Tracer::report_hits(const RTCIntersectFunctionNArguments* arguments) {
@@ -64,6 +66,21 @@ void Tracer::report_hits(const RTCIntersectFunctionNArguments* arguments) {
 
 namespace {
 
+// Context of a ray that sees the fronts of an instanced surface only.
+struct FrontQuery : embree::Query {
+  std::unique_ptr<const Instanced, Borrowed> its;
+  abut_vec3 direction;
+  bool is_steep;
+  FrontQuery(const Instanced& instanced, const abut_vec3& along, bool is_twice) noexcept
+      : embree::Query(false), its(&instanced), direction(along), is_steep(is_twice) {}
+};
+
+void reject_back(const RTCFilterFunctionNArguments* arguments) {
+  const auto& query = static_cast<const FrontQuery&>(static_cast<const embree::Query&>(*arguments->context));
+  const std::uint32_t triangle = RTCHitN_primID(arguments->hit, 1, 0) >> (query.is_steep ? 1u : 0u);
+  if (dot(query.its->surface[triangle].normal, query.direction) > 0) *arguments->valid = 0;
+}
+
 // First hit on an instanced surface, nearer than `limit` from the origin of the ray.
 struct LocalHit {
   double distance;
@@ -71,13 +88,14 @@ struct LocalHit {
 };
 
 [[nodiscard]] std::optional<LocalHit> cast_into(const Instanced& instanced, const Frame& frame, const abut_ray& ray,
-                                                double limit, bool is_steep) {
+                                                double limit, bool is_steep, bool skips_back_faces) {
   const abut_vec3 direction = rotate_back(frame, ray.direction);
   Entrance entrance{};
   if (!enter(instanced.space, to_local(frame, ray.origin), direction, limit, entrance)) return std::nullopt;
   RTCRayHit hit;
   write_ray(hit, entrance.point, direction, limit - entrance.advance);
-  embree::Query query(false);
+  FrontQuery query(instanced, direction, is_steep);
+  if (skips_back_faces) query.filter_hits(reject_back);
   embree::intersect(instanced.scene.get(), query, hit);
   if (hit.hit.geomID == RTC_INVALID_GEOMETRY_ID) return std::nullopt;
   return LocalHit{entrance.advance + static_cast<double>(hit.ray.tfar), hit.hit.primID >> (is_steep ? 1u : 0u)};
@@ -110,7 +128,7 @@ void Tracer::meet(FirstHit& query, const MovingScene& moving, const RTCIntersect
     // What was hit in double may be nearer than single precision tells.
     const bool is_exact = present != RTC_INVALID_GEOMETRY_ID && entries_[present & ~entry_flag].role == Role::exact;
     const double nearest = is_exact ? std::min(limit, query.exact.distance) : limit;
-    const auto hit = cast_into(*shape.instanced, entry.frame, query.ray, nearest, shape.is_steep);
+    const auto hit = cast_into(*shape.instanced, entry.frame, query.ray, nearest, shape.is_steep, skips_back_faces_);
     if (!hit || !(hit->distance < nearest)) return;
     far = static_cast<float>(hit->distance - query.advance);
     RTCHitN_primID(met, 1, 0) = hit->triangle;
@@ -118,7 +136,7 @@ void Tracer::meet(FirstHit& query, const MovingScene& moving, const RTCIntersect
     // The limit is blurred by single precision: equal distances must stay in the race.
     const double blurred = limit + 0x1p-20 * (limit + moving.space.extent);
     const abut_ray ray{query.ray.origin, query.ray.direction, std::min(query.ray.max_distance, blurred)};
-    const auto hit = shape.access->cast(entry.pose, ray);
+    const auto hit = cast_seen(entry, ray);
     if (!hit || !is_nearer(*hit, entry, query, present, limit)) return;
     query.exact = *hit;
     // Not below what single precision tells apart here: 0 would hide boxes that begin where the ray does.
@@ -126,6 +144,17 @@ void Tracer::meet(FirstHit& query, const MovingScene& moving, const RTCIntersect
     RTCHitN_primID(met, 1, 0) = hit->feature.index;
   }
   RTCHitN_geomID(met, 1, 0) = entry_flag | index;
+}
+
+// Whether a ray meets a geometry with a box. What is met within the limit in single precision is looked at in double.
+bool Tracer::meets_entry(const Entry& entry, const abut_ray& ray) const {
+  if (entry.role != Role::instance) return cast_seen(entry, ray).has_value();
+  const ShapeRecord& shape = shapes_[entry.shape];
+  const auto hit = cast_into(*shape.instanced, entry.frame, ray, ray.max_distance, shape.is_steep, skips_back_faces_);
+  if (!hit) return false;
+  abut_pick pick = nothing();
+  resolve_instance(ray, entry, hit->triangle, hit->distance, pick);
+  return pick.geometry.slot != 0;
 }
 
 }  // namespace abut::picking

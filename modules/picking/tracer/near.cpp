@@ -28,9 +28,6 @@ namespace abut::picking {
 
 namespace {
 
-// A point or segment that lies on a surface is seen: what hides it is nearer by this part of its distance.
-constexpr double hiding = 1e-6;
-
 // Tries the outline first, then places ever further inside.
 template <class First>
 [[nodiscard]] bool try_candidate(const First& first, const Candidate& candidate, abut_pick& out) {
@@ -92,15 +89,6 @@ void search_rings(const First& first, double radius, abut_pick& out) {
   return ABUT_OK;
 }
 
-// The ray that ends just before a point; none beyond near and far.
-[[nodiscard]] std::optional<abut_ray> sight_line(const View& view, const abut_vec3& point) {
-  const abut_vec3 from_eye = subtract(point, view.eye);
-  const double distance = length(from_eye) - view.start;
-  if (!(distance >= 0 && distance <= view.limit)) return std::nullopt;
-  const abut_vec3 direction = normalized(from_eye);
-  return abut_ray{add(view.eye, scale(direction, view.start)), direction, distance * (1 - hiding)};
-}
-
 // The pick of a point or segment.
 [[nodiscard]] abut_pick pick_of_thin(const Entry& entry, double half_height, double distance, const abut_vec3& point) {
   const abut_feature feature{half_height == 0 ? ABUT_FEATURE_VERTEX : ABUT_FEATURE_EDGE, 0};
@@ -127,8 +115,11 @@ bool Tracer::pick_thin(const Aim& aim, const abut_query_filter* filter, abut_pic
   for (std::uint32_t i = 0; i < entries_.size(); ++i) {
     const Entry& entry = entries_[i];
     if (entry.id.slot == 0 || !shapes_[entry.shape].is_thin() || !admits(filter, entry)) continue;
-    const ThinCandidate nearest = look_at_segment(sight, entry.frame, shapes_[entry.shape].rounded->half_height);
-    if (nearest.size <= aim.radius) found.push_back({nearest.size, i, sight.in_world(nearest.seen)});
+    const double half = shapes_[entry.shape].rounded->half_height;
+    const ThinCandidate nearest = look_at_edge(sight, sight.seen(to_world(entry.frame, {0, 0, -half})),
+                                               sight.seen(to_world(entry.frame, {0, 0, half})));
+    const abut_vec3 point = sight.in_world(nearest.seen);
+    if (nearest.size <= aim.radius && is_kept(point)) found.push_back({nearest.size, i, point});
   }
   std::ranges::sort(found, [&](const Thin& a, const Thin& b) {
     return a.size != b.size ? a.size < b.size : entries_[a.entry].id.slot < entries_[b.entry].id.slot;

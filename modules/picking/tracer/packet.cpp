@@ -316,22 +316,25 @@ template <std::size_t Width>
   }
 }
 
+// The first of some rays.
+template <std::size_t Width>
+[[gnu::always_inline]] inline void PacketTracer::load(Batch<Width>& batch, std::span<const abut_ray> rays) {
+  if (rays.size() >= Width) [[likely]] {
+    read(batch, rays.template first<Width>());
+    return;
+  }
+  // Its last ray fills up the last packet, without being traced again.
+  std::array<abut_ray, Width> padded;
+  padded.fill(rays.back());
+  std::ranges::copy(rays, padded.begin());
+  read<Width>(batch, padded);
+  for (std::size_t i = rays.size(); i < Width; ++i) batch.valid[i] = 0;
+}
+
 template <std::size_t Width>
 void PacketTracer::trace_batch(const Tracer& tracer, std::span<const abut_ray> rays, Trace& query,
                                std::span<abut_pick> out) {
-  const auto fill = [&](Batch<Width>& batch, std::size_t n) {
-    const std::span<const abut_ray> left = rays.subspan(n * Width);
-    if (left.size() >= Width) [[likely]] {
-      read(batch, left.template first<Width>());
-    } else {
-      // Its last ray fills up the last packet, without being traced again.
-      std::array<abut_ray, Width> padded;
-      padded.fill(left.back());
-      std::ranges::copy(left, padded.begin());
-      read<Width>(batch, padded);
-      for (std::size_t i = left.size(); i < Width; ++i) batch.valid[i] = 0;
-    }
-  };
+  const auto fill = [&](Batch<Width>& batch, std::size_t n) { load(batch, rays.subspan(n * Width)); };
   const auto expect = [&](std::size_t n) {
     for (const abut_ray& ray : rays.subspan(n * Width, std::min(Width, rays.size() - n * Width)))
       __builtin_prefetch(&ray);
@@ -354,7 +357,7 @@ void PacketTracer::render(const Tracer& tracer, const abut_camera& camera, Trace
   std::vector<Four> rights(columns);
   for (std::size_t i = 0; i < columns; ++i) {
     const Four x = Four{0.5, 1.5, 2.5, 3.5} + static_cast<double>(i * across);
-    rights[i] = (x - view.centre_x) / view.focal;
+    rights[i] = view.aspect * (x - view.centre_x) / view.focal;
   }
   std::vector<double> ups(rows * down);
   for (std::size_t i = 0; i < ups.size(); ++i) ups[i] = (view.centre_y - (static_cast<double>(i) + 0.5)) / view.focal;
@@ -364,13 +367,27 @@ void PacketTracer::render(const Tracer& tracer, const abut_camera& camera, Trace
     for (std::size_t k = 0; k < down; ++k) {
       const Four& right = rights[n % columns];
       const double up = ups[top + k];
-      batch.point_along(k, view.right.x * right + (view.up.x * up) + view.forward.x,
-                        view.right.y * right + (view.up.y * up) + view.forward.y,
-                        view.right.z * right + (view.up.z * up) + view.forward.z);
-      batch.ox[k] = view.eye.x + view.start * batch.dx[k];
-      batch.oy[k] = view.eye.y + view.start * batch.dy[k];
-      batch.oz[k] = view.eye.z + view.start * batch.dz[k];
+      const Four across_x = view.right.x * right + (view.up.x * up);
+      const Four across_y = view.right.y * right + (view.up.y * up);
+      const Four across_z = view.right.z * right + (view.up.z * up);
+      Four start = view.start;
       batch.limit[k] = Four(view.limit);
+      if (view.is_parallel) {
+        batch.point_along(k, Four(view.forward.x), Four(view.forward.y), Four(view.forward.z));
+        batch.ox[k] = view.eye.x + across_x + start * batch.dx[k];
+        batch.oy[k] = view.eye.y + across_y + start * batch.dy[k];
+        batch.oz[k] = view.eye.z + across_z + start * batch.dz[k];
+        continue;
+      }
+      batch.point_along(k, across_x + view.forward.x, across_y + view.forward.y, across_z + view.forward.z);
+      if (view.has_planes) {
+        const Four stretch = __builtin_elementwise_sqrt(right * right + (up * up + 1));
+        start *= stretch;
+        batch.limit[k] *= stretch;
+      }
+      batch.ox[k] = view.eye.x + start * batch.dx[k];
+      batch.oy[k] = view.eye.y + start * batch.dy[k];
+      batch.oz[k] = view.eye.z + start * batch.dz[k];
     }
     for (std::size_t i = 0; i < Width; ++i)
       batch.valid[i] = left + i % across < width && top + i / across < height ? -1 : 0;
@@ -383,6 +400,35 @@ void PacketTracer::render(const Tracer& tracer, const abut_camera& camera, Trace
   });
 }
 
+// Any hits. Only what Embree is not sure about is traced again.
+template <std::size_t Width>
+void PacketTracer::meet_batch(const Tracer& tracer, std::span<const abut_ray> rays, AnyHit& query,
+                              std::span<std::uint32_t> out) {
+  Batch<Width> batch;
+  const bool has_moving = tracer.has_moving();
+  for (std::size_t first = 0; first < rays.size(); first += Width) {
+    load(batch, rays.subspan(first));
+    query.unsure = 0;
+    const bool is_traced = batch.write(tracer.still_space_);
+    if (is_traced) {
+      for (std::size_t i = 0; i < Width; ++i) {
+        const double limit = batch.limit[i / 4][i % 4] - batch.advance[i / 4][i % 4];
+        query.sure_until[i] = static_cast<float>(limit - largest_correction * tracer.still_space_.extent);
+      }
+      embree::occlude(tracer.still_.get(), query, batch.active.data(), batch.native.ray);
+    }
+    for (std::size_t i = 0; i < std::min(Width, rays.size() - first); ++i) {
+      // SAFETY: i is less than Width, the size of the packet.
+      ABUT_UNSAFE_BEGIN
+      bool is_met = is_traced && batch.active[i] != 0 && batch.native.ray.tfar[i] < 0;
+      ABUT_UNSAFE_END
+      if (!is_met && ((query.unsure >> i & 1u) != 0 || has_moving))
+        is_met = tracer.meets(rays[first + i], query.wanted.get());
+      out[first + i] = is_met ? 1 : 0;
+    }
+  }
+}
+
 void Tracer::trace_each(std::span<const abut_ray> rays, const abut_query_filter* filter,
                         std::span<abut_pick> out) const {
   for (std::size_t i = 0; i < rays.size(); ++i) trace(rays[i], filter, out[i]);
@@ -391,11 +437,11 @@ void Tracer::trace_each(std::span<const abut_ray> rays, const abut_query_filter*
 // Where triangles are small in the picture, sixteen rays in a row share less than eight do.
 void Tracer::trace_neighbours(std::span<const abut_ray> rays, const abut_query_filter* filter,
                               std::span<abut_pick> out) const {
-  if (baked_.empty()) {
+  if (baked_.empty() || !clip_planes_.empty()) {
     trace_each(rays, filter, out);
     return;
   }
-  StillHit query(true, filter);
+  StillHit query(true, skips_back_faces_, filter);
   switch (still_planes_.size() > planes_in_cache ? std::min<std::size_t>(widest_, 8) : widest_) {
     case 16: PacketTracer::trace_batch<16>(*this, rays, query, out); return;
     case 8: PacketTracer::trace_batch<8>(*this, rays, query, out); return;
@@ -406,11 +452,11 @@ void Tracer::trace_neighbours(std::span<const abut_ray> rays, const abut_query_f
 // Unrelated rays part at the first boxes: wide packets do not pay for them.
 void Tracer::trace_unrelated(std::span<const abut_ray> rays, const abut_query_filter* filter,
                              std::span<abut_pick> out) const {
-  if (baked_.empty()) {
+  if (baked_.empty() || !clip_planes_.empty()) {
     trace_each(rays, filter, out);
     return;
   }
-  StillHit query(false, filter);
+  StillHit query(false, skips_back_faces_, filter);
   if (widest_ >= 8) {
     PacketTracer::trace_batch<8>(*this, rays, query, out);
   } else {
@@ -418,8 +464,32 @@ void Tracer::trace_unrelated(std::span<const abut_ray> rays, const abut_query_fi
   }
 }
 
+void Tracer::meet_neighbours(std::span<const abut_ray> rays, const abut_query_filter* filter,
+                             std::span<std::uint32_t> out) const {
+  if (baked_.empty() || !clip_planes_.empty()) {
+    meet_each(rays, filter, out);
+    return;
+  }
+  const bool has_limits = std::ranges::any_of(rays, [](const abut_ray& ray) { return ray.max_distance < infinity; });
+  AnyHit query(true, has_limits || asks_about_hits(filter), filter);
+  if (widest_ >= 8) {
+    PacketTracer::meet_batch<8>(*this, rays, query, out);
+  } else {
+    PacketTracer::meet_batch<4>(*this, rays, query, out);
+  }
+}
+
 void Tracer::render(const abut_camera& camera, const abut_query_filter* filter, std::span<abut_pick> out) const {
-  StillHit query(true, filter);
+  if (!clip_planes_.empty()) {
+    const View view = view_of(camera);
+    for (std::size_t i = 0; i < out.size(); ++i) {
+      const std::size_t x = i % camera.width;
+      const std::size_t y = i / camera.width;
+      trace(ray_through(view, static_cast<double>(x) + 0.5, static_cast<double>(y) + 0.5), filter, out[i]);
+    }
+    return;
+  }
+  StillHit query(true, skips_back_faces_, filter);
   switch (widest_) {
     case 16: PacketTracer::render<16>(*this, camera, query, out); return;
     case 8: PacketTracer::render<8>(*this, camera, query, out); return;

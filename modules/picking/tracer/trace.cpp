@@ -50,13 +50,18 @@ bool Tracer::trace_usual(const abut_ray& ray, abut_pick& out) const noexcept {
 }
 
 void Tracer::trace(const abut_ray& any_ray, const abut_query_filter* filter, abut_pick& out) const {
-  const abut_ray ray{any_ray.origin, normalized(any_ray.direction), any_ray.max_distance};
+  abut_ray ray{any_ray.origin, normalized(any_ray.direction), any_ray.max_distance};
+  double skipped = 0;
+  if (!trim(ray, skipped)) [[unlikely]] {
+    out = nothing();
+    return;
+  }
   bool is_hit = false;
   Entrance entrance{};
   if (!baked_.empty() && enter(still_space_, ray.origin, ray.direction, ray.max_distance, entrance)) {
     [[clang::uninitialized]] RTCRayHit hit;
     write_ray(hit, entrance.point, ray.direction, ray.max_distance - entrance.advance);
-    StillHit query(false, filter);
+    StillHit query(false, skips_back_faces_, filter);
     embree::intersect(single_still_.get(), query, hit);
     const double found = entrance.advance + static_cast<double>(hit.ray.tfar);
     is_hit = hit.hit.geomID != RTC_INVALID_GEOMETRY_ID &&
@@ -64,6 +69,7 @@ void Tracer::trace(const abut_ray& any_ray, const abut_query_filter* filter, abu
   }
   if (!is_hit) out = nothing();
   if (has_moving()) trace_moving(ray, filter, out);
+  out.distance += skipped;
 }
 
 // Looks for something nearer than `out` holds.
@@ -107,7 +113,7 @@ void Tracer::meet_apart(const abut_query_filter* filter, abut_ray& ray, abut_pic
   for (const std::uint32_t index : apart_) {
     const Entry& entry = entries_[index];
     if (!admits(filter, entry)) continue;
-    const auto hit = shapes_[entry.shape].access->cast(entry.pose, ray);
+    const auto hit = cast_seen(entry, ray);
     if (!hit || !(hit->distance < out.distance)) continue;
     out = pick_of(entry.id, *hit);
     ray.max_distance = hit->distance;

@@ -32,9 +32,11 @@ module;
 
 module abut.picking:tracer;
 import :box_scene;
+import :box_table;
 import :camera;
 import :crossing;
 import :entry;
+import :region;
 import :source;
 import :surface;
 import :vector;
@@ -68,12 +70,28 @@ struct FirstHit : Trace {
       : Trace(false, false, given), tracer(&its), ray(unit_ray) {}
 };
 
-// Filter function of the still scene.
+// Filter functions of the still scene.
 void reject_hits(const RTCFilterFunctionNArguments* arguments);
+void reject_any(const RTCFilterFunctionNArguments* arguments);
 
-// First hits in the still scene, where Embree asks about each hit only when there is a filter.
+// First hits in the still scene, where Embree asks about each hit only when some may not count.
 struct StillHit : Trace {
-  StillHit(bool are_neighbours, const abut_query_filter* given) noexcept;
+  StillHit(bool are_neighbours, bool skips_back_faces, const abut_query_filter* given) noexcept;
+};
+
+// Any hits in the still scene, of up to 16 rays. Those beyond a limit in single precision are not sure.
+struct AnyHit : Trace {
+  std::array<float, 16> sure_until;  // of each ray
+  std::uint32_t unsure = 0;          // bits of rays
+  AnyHit(bool are_neighbours, bool asks, const abut_query_filter* given) noexcept;
+};
+
+// Any hits of one ray in a moving scene.
+struct MovingAnyHit : Trace {
+  std::unique_ptr<const Tracer, Borrowed> tracer;
+  abut_ray ray;  // unit direction
+  MovingAnyHit(const Tracer& its, const abut_ray& unit_ray, const abut_query_filter* given) noexcept
+      : Trace(false, false, given), tracer(&its), ray(unit_ray) {}
 };
 
 // Collects everything that one ray meets.
@@ -110,6 +128,21 @@ class Tracer {
   [[nodiscard]] abut_status trace_all(const abut_ray& ray, const abut_query_filter* filter,
                                       std::vector<abut_pick>& out) const;
   [[nodiscard]] abut_status pick_pixel(const Aim& aim, const abut_query_filter* filter, abut_pick& out) const;
+  // Whether a ray meets anything.
+  [[nodiscard]] bool meets(const abut_ray& ray, const abut_query_filter* filter) const;
+  void meet_each(std::span<const abut_ray> rays, const abut_query_filter* filter, std::span<std::uint32_t> out) const;
+  void meet_neighbours(std::span<const abut_ray> rays, const abut_query_filter* filter,
+                       std::span<std::uint32_t> out) const;
+  [[nodiscard]] abut_status select(const View& view, const Rectangle& rectangle, bool inside,
+                                   const abut_query_filter* filter, std::vector<abut_geometry_id>& out) const;
+  [[nodiscard]] abut_status snap(const Aim& aim, abut_snap_kinds kinds, const abut_query_filter* filter,
+                                 abut_snap& out) const;
+  [[nodiscard]] abut_status weigh(abut_geometry_id id, std::uint32_t face, const abut_vec3& point,
+                                  abut_barycentric& out) const;
+
+  // What queries see.
+  void set_flags(bool sees_sensors, bool skips_back_faces);
+  void set_clip_planes(std::vector<HalfSpace> planes);
 
  private:
   [[nodiscard]] inline bool is_current() const noexcept {
@@ -123,6 +156,8 @@ class Tracer {
   [[nodiscard]] abut_status follow_one(abut_geometry_id id);
   [[nodiscard]] abut_status move_entry(std::uint32_t index, const abut_pose& pose);
   [[nodiscard]] std::uint32_t entry_in_slot(std::uint32_t slot) const;
+  [[nodiscard]] bool is_met(const GeometryView& view) const;
+  void note_box(const Entry& entry);
   [[nodiscard]] abut_status list_geometries();
   [[nodiscard]] abut_status add_entry(abut_geometry_id id, const GeometryView& view);
   [[nodiscard]] abut_status take_place(std::uint32_t index);
@@ -168,6 +203,24 @@ class Tracer {
   [[nodiscard]] abut_status cross_surface(AllHits& query, const Entry& entry, const ShapeRecord& shape) const;
   static void cross_exact(AllHits& query, const Entry& entry, const ShapeRecord& shape);
   [[nodiscard]] abut_status make_crossed(const ShapeRecord& shape) const;
+  // tracer_cut.cpp
+  [[nodiscard]] bool trim(abut_ray& ray, double& skipped) const;
+  [[nodiscard]] bool is_kept(const abut_vec3& point) const;
+  [[nodiscard]] bool is_behind(const Baked& baked, const RTCFilterFunctionNArguments& arguments, unsigned ray) const;
+  [[nodiscard]] std::optional<abut_ray_hit> cast_seen(const Entry& entry, const abut_ray& ray) const;
+  // tracer_any.cpp
+  static void report_any(const RTCOccludedFunctionNArguments* arguments);
+  [[nodiscard]] bool meets_entry(const Entry& entry, const abut_ray& ray) const;
+  [[nodiscard]] bool meets_moving(const abut_ray& ray, const abut_query_filter* filter) const;
+  [[nodiscard]] bool asks_about_hits(const abut_query_filter* filter) const {
+    return filter != nullptr || skips_back_faces_;
+  }
+  // tracer_select.cpp, tracer_snap.cpp
+  [[nodiscard]] abut_status touching_at_edges(const View& view, const Rectangle& rectangle,
+                                              std::span<const std::uint32_t> entries,
+                                              std::vector<std::uint32_t>& out) const;
+  [[nodiscard]] bool is_visible(const View& view, const abut_query_filter* filter, abut_snap& snap) const;
+  [[nodiscard]] abut_status make_wires(const ShapeRecord& shape) const;
   // tracer_trace.cpp
   [[nodiscard]] inline bool has_moving() const noexcept {
     return !apart_.empty() || !std::ranges::all_of(moving_, &MovingScene::is_empty);
@@ -218,6 +271,7 @@ class Tracer {
                         abut_pick& out) const;
   friend struct PacketTracer;
   friend void reject_hits(const RTCFilterFunctionNArguments* arguments);
+  friend void reject_any(const RTCFilterFunctionNArguments* arguments);
 
   std::unique_ptr<Source> source_;
   Counters counters_;
@@ -225,10 +279,15 @@ class Tracer {
   std::atomic<std::uint64_t> seen_geometries_{never};
   std::atomic<std::uint64_t> seen_poses_{never};
 
+  bool sees_sensors_ = false;
+  bool skips_back_faces_ = false;
+  std::vector<HalfSpace> clip_planes_;
+
   std::uint64_t epoch_ = 0;
   std::vector<Entry> entries_;
   std::vector<std::uint32_t> free_entries_;
   std::vector<std::uint32_t> entry_of_slot_;  // by slot of the geometry id
+  BoxTable boxes_;                            // of entries that are not apart
   std::vector<ShapeRecord> shapes_;
   std::vector<std::uint32_t> free_shapes_;
   std::unordered_map<std::uintptr_t, std::uint32_t> shape_of_key_;  // looked up, never walked
@@ -274,7 +333,12 @@ struct PacketTracer {
   template <std::size_t Width, class Place>
   static void trace_moving(const Tracer& tracer, const Trace& query, const Batch<Width>& batch, const Place& place);
   template <std::size_t Width>
+  static void load(Batch<Width>& batch, std::span<const abut_ray> rays);
+  template <std::size_t Width>
   static void trace_batch(const Tracer& tracer, std::span<const abut_ray> rays, Trace& query, std::span<abut_pick> out);
+  template <std::size_t Width>
+  static void meet_batch(const Tracer& tracer, std::span<const abut_ray> rays, AnyHit& query,
+                         std::span<std::uint32_t> out);
   template <std::size_t Width>
   static void render(const Tracer& tracer, const abut_camera& camera, Trace& query, std::span<abut_pick> out);
 };

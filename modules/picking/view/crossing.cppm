@@ -60,4 +60,32 @@ struct CrossedSurface {
   [[nodiscard]] std::size_t size() const { return list.indices.size() / 3; }
 };
 
+// Crossing after crossing of a shape that is asked in double, until visit(hit) says false: each ray starts behind the
+// crossing before, by more than that may be off. A crossing of the same side within the blur is the same one; there the
+// next ray starts further behind, so that this ends also for a ray that runs along a surface.
+template <class Visit>
+void visit_crossings(const PickableShape& shape, const abut_pose& pose, const abut_ray& ray, const Visit& visit) {
+  constexpr double least_step = 0x1p-44;
+  constexpr double blur = 0x1p-38;
+  const double coordinates = largest_component(ray.origin) + largest_component(pose.position);
+  double start = 0;
+  double step = least_step;
+  double last = -infinity;
+  bool entered = false;
+  while (start <= ray.max_distance) {
+    const abut_ray rest{add(ray.origin, scale(ray.direction, start)), ray.direction, ray.max_distance - start};
+    auto hit = shape.cast(pose, rest);
+    if (!hit) return;
+    hit->distance += start;
+    const double size = coordinates + hit->distance;
+    const bool enters = dot(hit->normal, ray.direction) < 0;
+    const bool repeats = enters == entered && hit->distance - last <= blur * size;
+    if (!repeats && !visit(*hit)) return;
+    step = repeats ? 2 * step : least_step;
+    last = hit->distance;
+    entered = enters;
+    start = hit->distance + step * size;
+  }
+}
+
 }  // namespace abut::picking

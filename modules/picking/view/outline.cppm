@@ -7,6 +7,7 @@ module;
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 
 export module abut.picking:outline;
 import :camera;
@@ -40,7 +41,8 @@ struct Sight {
   }
   [[nodiscard]] inline Offset offset_of(const abut_vec3& seen) const {
     const View& view = aim.view;
-    return {view.centre_x + view.focal * seen.x / seen.z - aim.x, view.centre_y - view.focal * seen.y / seen.z - aim.y};
+    const double focal = view.is_parallel ? view.focal : view.focal / seen.z;
+    return {view.centre_x + focal / view.aspect * seen.x - aim.x, view.centre_y - focal * seen.y - aim.y};
   }
   [[nodiscard]] inline abut_ray ray_at(const Offset& offset) const {
     return ray_through(aim.view, aim.x + offset.x, aim.y + offset.y);
@@ -68,7 +70,13 @@ struct ThinCandidate {
   abut_vec3 seen{};
 };
 
-// Looks at a segment without a radius.
-[[nodiscard]] ThinCandidate look_at_segment(const Sight& sight, const Frame& frame, double half_length);
+// Looks at an edge between two points in view coordinates.
+[[nodiscard]] ThinCandidate look_at_edge(const Sight& sight, abut_vec3 a, abut_vec3 b);
+
+// What lies on a surface is seen: only what is nearer by more than this part of the distance hides it.
+inline constexpr double hiding = 1e-6;
+
+// The ray that ends just before a point; none beyond near and far.
+[[nodiscard]] std::optional<abut_ray> sight_line(const View& view, const abut_vec3& point);
 
 }  // namespace abut::picking

@@ -16,9 +16,9 @@ __all__ = ["Vec3", "Quat", "Pose", "Aabb", "PartId", "GeometryId", "Feature", "H
     "PartOptions", "Sleep", "GeometryOptions", "GeometryInfo", "Revision", "Collidable", "Policy", "Focus",
     "ContactMaterial", "Event", "SleepChange", "LocalPoints", "StepStats", "Finding", "Island", "Velocity",
     "Acceleration", "StepImpact", "ElementContact", "QueryFilter", "QueryHit", "CastHit", "ImpactHit", "Closest",
-    "LayoutEntry", "Pick", "Camera", "ContactProblem", "SolverOptions", "Residuals", "MassProperties",
-    "ResponseOptions", "BodyOptions", "ContactLaw", "ResponseSide", "LinkOptions", "ResponseContact", "ResponseObject",
-    "ResponseIsland", "Energy", "ResponseFinding"]
+    "LayoutEntry", "Pick", "Camera", "ClipPlane", "Snap", "Barycentric", "ContactProblem", "SolverOptions", "Residuals",
+    "MassProperties", "ResponseOptions", "BodyOptions", "ContactLaw", "ResponseSide", "LinkOptions", "ResponseContact",
+    "ResponseObject", "ResponseIsland", "Energy", "ResponseFinding"]
 
 
 @struct
@@ -635,11 +635,42 @@ class Camera(Struct):
     struct_size: UInt32
     width: UInt32
     height: UInt32
-    reserved: UInt32
+    projection: UInt32
     pose: Pose
     vertical_fov: Double
     near_distance: Double
     far_distance: Double
+    vertical_extent: Double
+    pixel_aspect: Double
+    shift_x: Double
+    shift_y: Double
+    depth_axis: UInt32
+    reserved: UInt32
+
+
+@struct
+class ClipPlane(Struct):
+    normal: Vec3
+    offset: Double
+
+
+@struct
+class Snap(Struct):
+    geometry: GeometryId
+    kind: UInt32
+    vertices: Annotated[Any, c_uint32 * 2]
+    reserved: UInt32
+    parameter: Double
+    pixels: Double
+    distance: Double
+    point: Vec3
+
+
+@struct
+class Barycentric(Struct):
+    triangle: UInt32
+    vertices: Annotated[Any, c_uint32 * 3]
+    weights: Annotated[Any, c_double * 3]
 
 
 @struct
