@@ -24,11 +24,12 @@ double real_in(const Range& range) {
   return good < range.least ? range.least + 1 : good > range.most ? range.most : good;
 }
 
-// Numbers of an array: corners of a tetrahedron or of a cube, halves, or halves of both signs.
+// Numbers of an array: corners of a tetrahedron or of a cube, halves, halves of both signs, or a matrix of 4 x 4.
 double real_at(std::size_t pattern, std::size_t index) {
   constexpr std::array<double, 12> corners{0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1};
   if (pattern == 0) return corners.at(index % corners.size());
   if (pattern == 1) return (index / 3 >> index % 3) % 2 == 0 ? 0 : 2;
+  if (pattern == 4) return index % 5 == 0 ? 1 : 0;
   return pattern == 2 || index % 2 == 0 ? 0.5 : -0.5;
 }
 

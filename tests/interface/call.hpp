@@ -23,7 +23,7 @@ struct Choice {
 
 const Struct& find_struct(std::string_view name);
 
-constexpr std::size_t patterns = 4, texts = 3;
+constexpr std::size_t patterns = 5, texts = 3;
 
 class Call {
  public:

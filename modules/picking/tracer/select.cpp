@@ -7,12 +7,11 @@ module;
 #include "picking/embree.hpp"
 
 #include <algorithm>
-#include <array>
 #include <bit>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
-#include <optional>
 #include <span>
 #include <vector>
 
@@ -72,6 +71,24 @@ class Found {
   std::vector<std::uint64_t> words_;
 };
 
+// What lies in a box, with a little room around it.
+void add_sides(const abut_aabb& box, std::vector<HalfSpace>& planes) {
+  const double room = 0x1p-8 * diagonal_of(box) + 0x1p-40 * reach_of(box, {0, 0, 0});
+  planes.insert(planes.end(), {{{1, 0, 0}, box.minimum.x - room},
+                               {{0, 1, 0}, box.minimum.y - room},
+                               {{0, 0, 1}, box.minimum.z - room},
+                               {{-1, 0, 0}, -box.maximum.x - room},
+                               {{0, -1, 0}, -box.maximum.y - room},
+                               {{0, 0, -1}, -box.maximum.z - room}});
+}
+
+// From near to far, both of which are planes.
+[[nodiscard]] std::vector<abut_ray> rays_of_corners(View view, const Rectangle& its) {
+  view.has_planes = true;
+  return {ray_through(view, its.x0, its.y0), ray_through(view, its.x0, its.y1), ray_through(view, its.x1, its.y0),
+          ray_through(view, its.x1, its.y1)};
+}
+
 }  // namespace
 
 // A box that crosses no plane lies in the region, and its geometry with it. One that crosses a single plane lies within
@@ -123,46 +140,51 @@ abut_status Tracer::select(const View& view, const Rectangle& rectangle, bool in
   return ABUT_OK;
 }
 
-// Those of some geometries that touch the region. It ends behind the last of them, and for shapes without bounds its
-// four rays go on.
+// Those of some geometries that touch the region, of which no more is needed than what lies around their boxes. Shapes
+// without bounds may touch it anywhere: they do so at its nearest corners or further along the rays through its
+// corners.
 abut_status Tracer::touching_at_edges(const View& view, const Rectangle& rectangle,
                                       std::span<const std::uint32_t> entries, std::vector<std::uint32_t>& out) const {
-  if (entries.empty()) return ABUT_OK;
-  double nearest = infinity;
-  double deepest = view.start;
+  abut_aabb around = empty_box;
   for (const std::uint32_t index : entries) {
     const abut_aabb& box = entries_[index].box;
-    if (!is_bounded(box)) {
-      nearest = view.start;
-      continue;
-    }
-    const double middle = dot(view.forward, subtract(centre_of(box), view.eye));
-    const double reach = 0.5 * diagonal_of(box);
-    nearest = std::min(nearest, middle - reach);
-    deepest = std::max(deepest, middle + reach);
+    if (!is_bounded(box)) continue;
+    extend(around, box.minimum);
+    extend(around, box.maximum);
   }
-  std::vector<HalfSpace> planes = region_of(view, rectangle, clip_planes_);
-  planes.push_back(before_depth(view, deepest));
-  if (nearest > view.start) planes.push_back(beyond_depth(view, nearest));
-  const std::vector<double> corners = corners_of(planes, view.eye);
   std::unique_ptr<PickableShape> region;
-  if (!corners.empty()) {
-    if (const abut_status status = source_->hull(corners, region); status != ABUT_OK) return status;
+  if (around.minimum.x <= around.maximum.x) {
+    std::vector<HalfSpace> planes = region_of(view, rectangle, clip_planes_);
+    add_sides(around, planes);
+    const std::vector<double> corners = corners_of(planes, centre_of(around));
+    if (!corners.empty()) {
+      if (const abut_status status = source_->hull(corners, region); status != ABUT_OK) return status;
+    }
   }
-  View along_axis = view;
-  along_axis.has_planes = true;
-  const std::array<abut_ray, 4> rays{
-      ray_through(along_axis, rectangle.x0, rectangle.y0), ray_through(along_axis, rectangle.x0, rectangle.y1),
-      ray_through(along_axis, rectangle.x1, rectangle.y0), ray_through(along_axis, rectangle.x1, rectangle.y1)};
+  const auto is_unbounded = [&](std::uint32_t index) { return !is_bounded(entries_[index].box); };
+  std::vector<abut_ray> rays;
+  std::unique_ptr<PickableShape> starts;
+  if (std::ranges::any_of(entries, is_unbounded)) {
+    rays = rays_of_corners(view, rectangle);
+    std::erase_if(rays, [&](abut_ray& ray) {
+      double skipped = 0;
+      return !trim(ray, skipped);
+    });
+    std::vector<double> points;
+    for (const abut_ray& ray : rays) points.insert(points.end(), {ray.origin.x, ray.origin.y, ray.origin.z});
+    const bool is_near = std::ranges::all_of(points, [](double its) { return std::fabs(its) <= farthest_start; });
+    if (!points.empty() && is_near) {
+      if (const abut_status status = source_->hull(points, starts); status != ABUT_OK) return status;
+    }
+  }
   for (const std::uint32_t index : entries) {
     const Entry& entry = entries_[index];
     const PickableShape& access = *shapes_[entry.shape].access;
-    const auto meets_ray = [&](abut_ray ray) {
-      double skipped = 0;
-      return trim(ray, skipped) && access.cast(entry.pose, ray).has_value();
+    const auto overlaps = [&](const std::unique_ptr<PickableShape>& solid) {
+      return solid && access.overlaps(entry.pose, *solid);
     };
-    if ((region && access.overlaps(entry.pose, *region)) ||
-        (!is_bounded(entry.box) && std::ranges::any_of(rays, meets_ray)))
+    const auto meets = [&](const abut_ray& ray) { return access.cast(entry.pose, ray).has_value(); };
+    if (overlaps(region) || (is_unbounded(index) && (overlaps(starts) || std::ranges::any_of(rays, meets))))
       out.push_back(index);
   }
   return ABUT_OK;

@@ -19,8 +19,8 @@ namespace abut::picking {
 
 namespace {
 
-// A corner of three planes counts when it lies outside of another one by at most this part of its distance from the
-// eye: a rectangle without width has sides in one plane.
+// A corner of three planes counts when it lies outside of another one by at most this part of its distance: a rectangle
+// without width has sides in one plane.
 constexpr double least_gap = 1e-11;
 // Three unit normals that span less than this have no corner.
 constexpr double least_volume = 1e-14;
@@ -48,34 +48,29 @@ constexpr double farthest_pixel = 1e100;
 
 }  // namespace
 
-HalfSpace beyond_depth(const View& view, double depth) { return {view.forward, dot(view.forward, view.eye) + depth}; }
-
-HalfSpace before_depth(const View& view, double depth) {
-  return {scale(view.forward, -1), -(dot(view.forward, view.eye) + depth)};
-}
-
 std::vector<HalfSpace> region_of(const View& view, const Rectangle& rectangle, std::span<const HalfSpace> further) {
   const auto bounded = [](double pixel) { return std::clamp(pixel, -farthest_pixel, farthest_pixel); };
   const double left = bounded(std::min(rectangle.x0, rectangle.x1));
   const double right = bounded(std::max(rectangle.x0, rectangle.x1));
   const double top = bounded(std::min(rectangle.y0, rectangle.y1));
   const double bottom = bounded(std::max(rectangle.y0, rectangle.y1));
+  const double depth_of_eye = dot(view.forward, view.eye);
   std::vector<HalfSpace> planes{
       side_of(view, view.right, view.aspect * (left - view.centre_x)),
       side_of(view, scale(view.right, -1), -view.aspect * (right - view.centre_x)),
       side_of(view, scale(view.up, -1), -(view.centre_y - top)),
       side_of(view, view.up, view.centre_y - bottom),
-      beyond_depth(view, view.start),
+      {view.forward, depth_of_eye + view.start},
   };
-  if (std::isfinite(view.limit)) planes.push_back(before_depth(view, view.start + view.limit));
+  if (std::isfinite(view.limit)) planes.push_back({scale(view.forward, -1), -(depth_of_eye + view.start + view.limit)});
   planes.insert(planes.end(), further.begin(), further.end());
   return planes;
 }
 
-std::vector<double> corners_of(std::span<const HalfSpace> planes, const abut_vec3& eye) {
-  // Relative to the eye, which costs no digits far from zero.
+std::vector<double> corners_of(std::span<const HalfSpace> planes, const abut_vec3& around) {
+  // Relative to that point, which costs no digits far from zero.
   std::vector<HalfSpace> near(planes.begin(), planes.end());
-  for (HalfSpace& plane : near) plane.offset -= dot(plane.normal, eye);
+  for (HalfSpace& plane : near) plane.offset -= dot(plane.normal, around);
   std::vector<double> out;
   for (std::size_t i = 0; i < near.size(); ++i) {
     for (std::size_t j = i + 1; j < near.size(); ++j) {
@@ -85,7 +80,7 @@ std::vector<double> corners_of(std::span<const HalfSpace> planes, const abut_vec
         const double gap = least_gap * largest_component(*corner);
         const auto holds = [&](const HalfSpace& plane) { return height_above(plane, *corner) >= -gap; };
         if (std::ranges::all_of(near, holds)) {
-          const abut_vec3 point = add(*corner, eye);
+          const abut_vec3 point = add(*corner, around);
           out.insert(out.end(), {point.x, point.y, point.z});
         }
       }

@@ -36,11 +36,8 @@ namespace abut::picking {
 [[nodiscard]] std::vector<HalfSpace> region_of(const View& view, const Rectangle& rectangle,
                                                std::span<const HalfSpace> further);
 
-// Points between two depths of a camera.
-[[nodiscard]] HalfSpace beyond_depth(const View& view, double depth);
-[[nodiscard]] HalfSpace before_depth(const View& view, double depth);
-
-// Corners of the region between planes, three numbers each; it has to be bounded. None where it is empty.
-[[nodiscard]] std::vector<double> corners_of(std::span<const HalfSpace> planes, const abut_vec3& eye);
+// Corners of the region between planes, three numbers each; it has to be bounded, around a point that is not far off.
+// None where it is empty.
+[[nodiscard]] std::vector<double> corners_of(std::span<const HalfSpace> planes, const abut_vec3& around);
 
 }  // namespace abut::picking
