@@ -72,7 +72,7 @@ class World {
     abut_part_id part{};
     abut_geometry_id geometry{};
     check(abut_part_create(universe_.get(), &options, &part));
-    check(abut_geometry_create(universe_.get(), part, const_cast<abut_shape*>(shape), nullptr, &geometry));
+    check(abut_geometry_create(universe_.get(), part, shape, nullptr, &geometry));
     shapes.push_back(shape);
     poses.push_back(options.pose);
   }
@@ -89,10 +89,9 @@ class World {
 // A cloud of 10^5 primitives, 100 metres wide, that fills the picture.
 struct Cloud {
   World world;
-  std::array<Shape, 3> shapes{
-      shape_from([](abut_shape** out) { return abut_sphere_create(0.4, out); }),
-      shape_from([](abut_shape** out) { return abut_box_create(0.4, 0.3, 0.2, out); }),
-      shape_from([](abut_shape** out) { return abut_capsule_create(0.2, 0.4, out); })};
+  std::array<Shape, 3> shapes{shape_from([](abut_shape** out) { return abut_sphere_create(0.4, out); }),
+                              shape_from([](abut_shape** out) { return abut_box_create(0.4, 0.3, 0.2, out); }),
+                              shape_from([](abut_shape** out) { return abut_capsule_create(0.2, 0.4, out); })};
   abut_camera camera{};
   std::vector<abut_geometry_id> found;
 
