@@ -203,19 +203,23 @@ int run() {
     add(cell + "/inside/abut", [&](auto& state) { select(state, cloud, square, ABUT_SELECTION_INSIDE); });
   }
   World still;
-  const abut_bench::Mesh bunny = bench::read_obj(std::string(ABUT_DATA_DIR) + "/bunny.obj");
+  const bench::TriangleMesh bunny = bench::read_obj(std::string(ABUT_DATA_DIR) + "/bunny.obj");
   const Shape shape = shape_from([&](abut_shape** out) {
     return abut_mesh_create(bunny.xyz.data(), bunny.xyz.size() / 3, bunny.triangles.data(), bunny.triangles.size() / 3,
                             nullptr, out);
   });
   still.add(shape.get(), {0, 0, 0});
   check(abut_picker_update(still.picker()));
-  const auto [low, high] = abut_bench::bounds_of(bunny);
+  abut_pose unmoved{};
+  unmoved.orientation.w = 1;
+  abut_aabb box{};
+  check(abut_shape_aabb(shape.get(), &unmoved, &box));
   std::vector<Shadows> shadows;
   for (const bool are_neighbours : {false, true}) {
     const abut_coherence coherence = are_neighbours ? ABUT_COHERENCE_NEIGHBOURS : ABUT_COHERENCE_NONE;
     const std::string kind = are_neighbours ? "neighbours" : "unrelated";
-    shadows.push_back({"any/bunny/" + kind, still.picker(), shadow_rays(low, high, are_neighbours), coherence});
+    shadows.push_back(
+        {"any/bunny/" + kind, still.picker(), shadow_rays(box.minimum, box.maximum, are_neighbours), coherence});
     shadows.push_back({"any/cloud/" + kind, cloud.world.picker(),
                        shadow_rays({-50, -50, -50}, {50, 50, 50}, are_neighbours), coherence});
   }

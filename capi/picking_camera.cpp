@@ -165,9 +165,12 @@ abut_status abut_camera_set_projection(abut_camera* camera, const double* matrix
   const Matrix elements(matrix, 16);
   ABUT_UNSAFE_END
   if (const abut_status status = check_form(elements); status != ABUT_OK) return status;
+  // A copy has no more than the fields of this version.
   abut_camera changed = *camera;
+  changed.struct_size = sizeof changed;
   read_projection(elements, depth, changed);
   if (const abut_status status = check_camera(changed); status != ABUT_OK) return status;
+  changed.struct_size = camera->struct_size;
   *camera = changed;
   return ABUT_OK;
 }

@@ -107,7 +107,7 @@ class Picker {
   [[nodiscard]] Answer<bool> ray_hits(const Ray& ray, OptionalRef<abut_query_filter> filter = {}) const {
     std::uint32_t out = 0;
     const abut_status status = abut_picker_ray_hits(get(), &ray, filter.get(), &out);
-    return detail::answer(status, out != 0);
+    return detail::answer_with(status, [&] { return out != 0; });
   }
   [[nodiscard]] Answer<std::vector<std::uint32_t>> rays_hit(Span<const Ray> rays,
                                                             Coherence coherence = ABUT_COHERENCE_NONE,
