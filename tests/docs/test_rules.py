@@ -7,6 +7,8 @@ import unittest
 
 from check_code import excerpt_failure, json_failure, python_failure, shell_failure
 from check_links import anchors, failures_of
+from check_sofa import failures_of as row_failures_of
+from check_sofa import rows_of, tests_of
 from compiled import Compiler, source_of
 from pages import BadPage, blocks
 
@@ -134,6 +136,31 @@ class Links(unittest.TestCase):
         self.assertEqual(self.failures("[a](other.md#c)"), ["page.md:1: other.md has no heading #c"])
         self.assertEqual(self.failures("[a](#c)"), ["page.md:1: this page has no heading #c"])
         self.assertEqual(len(self.failures("[a](../../etc)")), 1)
+
+
+class Rows(unittest.TestCase):
+    def failures(self, rows, tests):
+        page = "## Broad phases\n\n| SOFA | here | mind |\n|---|---|---|\n" + rows
+        return list(row_failures_of(rows_of(page), tests_of(tests)))
+
+    def test_a_row_and_its_test_name_each_other(self):
+        self.assertEqual(self.failures("| `a::b_c` (`C`) | `f`, `g` | |\n", "TEST(BroadPhases, Abc) {\n  f(g);\n}\n"), [])
+
+    def test_a_row_without_a_test_and_a_test_without_a_row_fail(self):
+        self.assertEqual(self.failures("| `A` | `f` | |\n", "TEST(BroadPhases, B) {\n  f();\n}\n"),
+                         ["line 5: there is no test BroadPhases.A", "there is no row for the test BroadPhases.B"])
+
+    def test_a_test_calls_what_its_row_names(self):
+        self.assertEqual(self.failures("| `A` | `f` | |\n", "TEST(BroadPhases, A) {\n  ff();\n}\n"),
+                         ["line 5: the test BroadPhases.A does not name f"])
+
+    def test_a_dash_needs_a_sentence_and_no_test(self):
+        self.assertEqual(self.failures("| `A` | - | Nothing runs on it. |\n", ""), [])
+        self.assertEqual(len(self.failures("| `A` | - | |\n", "")), 1)
+        self.assertEqual(len(self.failures("| `A` | - | Nothing runs on it. |\n", "TEST(BroadPhases, A) {\n}\n")), 1)
+
+    def test_a_name_has_one_row(self):
+        self.assertEqual(len(self.failures("| `A` | - | Nothing runs on it. |\n" * 2, "")), 1)
 
 
 if __name__ == "__main__":
