@@ -120,7 +120,7 @@ void ElementStage::read(std::uint32_t place, const Places& places, Body& body) {
   body.now = std::move(surface.vertices);
   body.has_moved = !body.before.empty() && body.now != body.before;
   body.is_laid = false;
-  body.is_too_far = are_too_far(body.now) || are_too_far(body.before);
+  body.is_too_far = are_too_far(body.now);
 }
 
 ElementStage::Body& ElementStage::body_at(std::uint32_t place, const Places& places) {
@@ -261,10 +261,10 @@ void ElementStage::find(const Workers& workers, const Policy& policy, Real reach
                         const Places& places) {
   stencils_.clear();
   Body &low = body_at(pair.low, places), &high = body_at(pair.high, places);
-  if (low.is_too_far || high.is_too_far) {
+  const bool on_way = had_time_ && follows_vertices(pair, places.infos);
+  if (low.is_too_far || high.is_too_far || (on_way && (are_too_far(low.before) || are_too_far(high.before)))) {
     return;
   }
-  const bool on_way = had_time_ && follows_vertices(pair, places.infos);
   ElementBody &a = laid(low, on_way, workers), &b = laid(high, on_way, workers);
   const ElementRule& rule = policy.elements;
   if (!on_way) {

@@ -79,12 +79,17 @@ TEST(ElementContacts, AreThoseOfASearchByAnyMethod) {
     auto options = elements_options(reach, method);
     options.rest_distance = 0.09;
     options.kinds = method == ABUT_CLOSEST_ALL ? 1U << ABUT_STENCIL_EDGE_EDGE : 0;
-    options.cone_angle = 0.125;
-    options.cone_factor = 0.25;
+    options.cone_angle = 0.25;
+    options.cone_factor = 0;
     options.flags = ABUT_ELEMENTS_FRONTS_ONLY;
     const ElementsOf elements(rest);
     require(abut_elements_set_vertices(elements, later.data(), nullptr, rest.vertex_count()));
     const auto wanted = closest_of(elements, nullptr, options);
+    if (method == ABUT_CLOSEST_LOCAL_MINIMA) {
+      auto others = options;
+      std::swap(others.cone_angle, others.cone_factor);
+      EXPECT_NE(closest_of(elements, nullptr, others).size(), wanted.size()) << "cones that show nothing";
+    }
 
     abut_policy policy = elements_policy(reach, method);
     policy.rest_distance = options.rest_distance;
@@ -331,7 +336,7 @@ TEST(ElementContacts, ThreadsChangeNoBit) {
   EXPECT_EQ(hashes[0], hashes[1]);
 }
 
-// The hash tells a contact that is elsewhere.
+// The hash tells a contact that is elsewhere, and one that differs by its number or its gap alone.
 TEST(ElementContacts, AreInTheHash) {
   std::mt19937 random(12);
   const Surface mesh = folded_surface(6, 0.01, random);
@@ -345,6 +350,22 @@ TEST(ElementContacts, AreInTheHash) {
   };
   EXPECT_EQ(hash_at(0.25), hash_at(0.25));
   EXPECT_NE(hash_at(0.25), hash_at(0.2500001));
+  const auto hash_of = [&](const Surface& below, double contact_distance) {
+    abut_policy policy = elements_policy(0.25);
+    policy.contact_distance = contact_distance;
+    Cloths cloths(policy);
+    cloths.add(below);
+    cloths.add(tip_at(0, 0, 0.125));
+    cloths.step();
+    EXPECT_EQ(cloths.contacts().size(), 1U);
+    return cloths.universe().hash();
+  };
+  Surface two = ground, swapped = ground;
+  two.triangles = {0, 1, 2, 0, 0, 0};
+  swapped.triangles = {0, 0, 0, 0, 1, 2};
+  EXPECT_EQ(hash_of(two, 0), hash_of(two, 0));
+  EXPECT_NE(hash_of(two, 0), hash_of(swapped, 0));
+  EXPECT_NE(hash_of(two, 0), hash_of(two, 0.0625));
 }
 
 }  // namespace

@@ -19,6 +19,19 @@ inline abut_universe_options margin_options(std::uint32_t threads = 1) {
   options.threads = threads_of_build(threads);
   return options;
 }
+// A triangle that covers the origin, and one whose first corner points down to a place above it.
+inline const Surface ground{{-1, -1, 0, 2, -1, 0, -1, 2, 0}, {0, 1, 2}};
+inline Surface tip_at(double x, double y, double z) {
+  return {{x, y, z, x + 0.2, y, z + 1, x, y + 0.2, z + 1}, {0, 1, 2}};
+}
+inline Surface shifted(Surface mesh, double x, double y, double z) {
+  for (std::size_t i = 0; i < mesh.xyz.size(); i += 3) {
+    mesh.xyz[i] += x;
+    mesh.xyz[i + 1] += y;
+    mesh.xyz[i + 2] += z;
+  }
+  return mesh;
+}
 inline Shape shape_of(const Surface& mesh) { return make_of_kind("mesh", {0}, mesh.xyz, mesh.triangles); }
 
 // Meshes of tag 0, each on a part.
@@ -29,12 +42,16 @@ class Cloths {
     set_policy(policy);
   }
 
-  std::size_t add(const Surface& mesh, abut_geometry_flags flags = 0, const abut_pose& pose = identity) {
+  std::size_t add(const Surface& mesh, abut_geometry_flags flags = 0, const abut_pose& pose = identity,
+                  abut_motion motion = ABUT_MOTION_DYNAMIC) {
     abut_geometry_options options = default_geometry_options();
     options.flags = flags;
-    parts_.push_back(universe_.add_part(pose));
+    return add_on(universe_.add_part(pose, motion), mesh, options);
+  }
+  std::size_t add_on(abut_part_id part, const Surface& mesh, const abut_geometry_options& options) {
+    parts_.push_back(part);
     const Shape shape = shape_of(mesh);
-    geometries_.push_back(universe_.add_geometry(parts_.back(), shape, options));
+    geometries_.push_back(universe_.add_geometry(part, shape, options));
     return geometries_.size() - 1;
   }
   void set_policy(const abut_policy& policy) { require(abut_policy_set(universe_, 0, 0, &policy)); }

@@ -52,7 +52,7 @@ TEST(ElementContactsOnWay, AreThoseOfAllPairs) {
   }
 }
 
-const Surface ground{{-1, -1, 0, 2, -1, 0, -1, 2, 0}, {0, 1, 2}}, tip{{0, 0, 1, 0.2, 0, 2, 0, 0.2, 2}, {0, 1, 2}};
+const Surface tip = tip_at(0, 0, 1);
 
 // So far that boxes overlap before and after the step no more than contacts do.
 TEST(ElementContactsOnWay, TellWhatPassesWithinAStep) {
@@ -157,6 +157,192 @@ TEST(ElementContactsOnWay, DoNotLeadThroughParking) {
   cloths.universe().move(cloths.part(1), at(0, 0, 0));
   cloths.step();
   EXPECT_EQ(cloths.contacts().size(), 3U);
+}
+
+// As those of a search on the same ways, by the kinds and the rest distance of the policy.
+TEST(ElementContactsOnWay, AreThoseOfASearch) {
+  ABUT_NEEDS_MOTION();
+  std::mt19937 random(4);
+  const Surface rest = folded_surface(10, 0.01, random);
+  const std::vector<double> start = moved(rest, 0.02, random), end = moved({start, rest.triangles}, 0.05, random);
+  std::set<std::size_t> counts;
+  for (const double rest_distance : {0.0, 0.03}) {
+    for (const abut_stencil_kinds kinds : {0U, 1U << ABUT_STENCIL_VERTEX_FACE, 1U << ABUT_STENCIL_EDGE_EDGE}) {
+      SCOPED_TRACE(testing::Message() << "kinds " << kinds << ", rest distance " << rest_distance);
+      auto options = elements_options(0);
+      abut_policy policy = elements_policy(0);
+      options.kinds = policy.kinds = kinds;
+      options.rest_distance = policy.rest_distance = rest_distance;
+      const ElementsOf elements(rest);
+      require(abut_elements_set_vertices(elements, start.data(), end.data(), rest.vertex_count()));
+      const Touches wanted = touches_of(touches_of(elements, nullptr, options));
+      Cloths cloths(policy);
+      cloths.add(rest, ABUT_GEOMETRY_SELF_PAIRS | ABUT_GEOMETRY_FAST);
+      for (const std::vector<double>& xyz : {rest.xyz, start, end}) {
+        cloths.move(0, xyz);
+        cloths.step();
+      }
+      EXPECT_EQ(touches_of(cloths.stencils(0, 0)), wanted);
+      EXPECT_FALSE(wanted.empty());
+      counts.insert(wanted.size());
+    }
+  }
+  EXPECT_EQ(counts.size(), 6U) << "all of these differ";
+}
+
+// Kinds that no first touch has ask for none.
+TEST(ElementContactsOnWay, HaveNoOtherKinds) {
+  ABUT_NEEDS_MOTION();
+  abut_policy policy = elements_policy(0);
+  policy.kinds = 1U << ABUT_STENCIL_VERTEX_VERTEX;
+  Cloths cloths(policy);
+  cloths.add(ground);
+  cloths.add(tip, ABUT_GEOMETRY_FAST);
+  cloths.step();
+  cloths.universe().move(cloths.part(1), at(0, 0, -4));
+  cloths.step();
+  EXPECT_TRUE(cloths.contacts().empty());
+}
+
+// Both sides may be fast. All pairs are in the order of slots, those on ways and those that are near.
+TEST(ElementContactsOnWay, AreToldOnceInOrder) {
+  ABUT_NEEDS_MOTION();
+  Cloths cloths(elements_policy(0.125));
+  cloths.add(tip, ABUT_GEOMETRY_FAST);
+  cloths.add(ground);
+  cloths.add(tip_at(0.5, -0.5, 0.0625));
+  cloths.add(shifted(ground, 0, 0, -0.5), ABUT_GEOMETRY_FAST);
+  cloths.step();
+  EXPECT_EQ(cloths.contacts().size(), 1U);
+  cloths.universe().move(cloths.part(0), at(0, 0, -4));
+  cloths.step();
+  const auto found = cloths.contacts();
+  EXPECT_EQ(cloths.stencils(0, 1).size(), 3U);
+  EXPECT_EQ(cloths.stencils(0, 3).size(), 3U);
+  EXPECT_EQ(cloths.stencils(1, 2).size(), 1U);
+  EXPECT_EQ(found.size(), 7U);
+  EXPECT_TRUE(std::is_sorted(found.begin(), found.end(), [](const auto& x, const auto& y) {
+    return std::pair(x.geometry_a.slot, x.geometry_b.slot) < std::pair(y.geometry_a.slot, y.geometry_b.slot);
+  }));
+}
+
+// What is no pair passes unseen, however fast it is.
+TEST(ElementContactsOnWay, AreOfPairsOnly) {
+  ABUT_NEEDS_MOTION();
+  enum class Case : std::uint8_t { pair, one_part, no_dynamic, other_policy, rule, exclusion, parked };
+  for (const Case its :
+       {Case::pair, Case::one_part, Case::no_dynamic, Case::other_policy, Case::rule, Case::exclusion, Case::parked}) {
+    SCOPED_TRACE(testing::Message() << "case " << int(its));
+    Cloths cloths(elements_policy(0));
+    Universe& universe = cloths.universe();
+    const abut_motion motion = its == Case::no_dynamic ? ABUT_MOTION_ANIMATED : ABUT_MOTION_DYNAMIC;
+    abut_geometry_options options = default_geometry_options();
+    options.exclusion = its == Case::exclusion ? 1 : 0;
+    const abut_part_id part = universe.add_part(identity, motion);
+    cloths.add_on(part, ground, options);
+    options.tag = its == Case::other_policy ? 1 : 0;
+    options.flags = ABUT_GEOMETRY_FAST;
+    cloths.add_on(its == Case::one_part ? part : universe.add_part(identity, motion), tip, options);
+    if (its == Case::rule) require(abut_rule_set(universe, &anything, &anything, ABUT_RULE_DISABLE));
+    if (its == Case::parked) universe.park(cloths.geometry(0), ABUT_PARKING_SHORT_TERM);
+    cloths.step();
+    cloths.move(1, shifted(tip, 0, 0, -4).xyz);
+    cloths.step();
+    EXPECT_EQ(cloths.contacts().size(), its == Case::pair ? 3U : 0U);
+    EXPECT_EQ(universe.events().size(), its == Case::pair ? 1U : 0U);
+    if (its == Case::other_policy) EXPECT_EQ(universe.stats().examined_pairs, 0U);
+  }
+}
+
+// What passes beside a border within the contact distance touches; a contact distance beyond the tolerance reaches no
+// further than that, also where boxes do.
+TEST(ElementContactsOnWay, PassBesideABorder) {
+  ABUT_NEEDS_MOTION();
+  const double root = std::sqrt(0.5);
+  struct Row {
+    double x, y, contact_distance;
+    bool touches;
+  };
+  for (const Row& row :
+       {Row{-1.1, 0, 0.25, true}, Row{-1.3, 0, 0.25, false}, Row{0.5 + 0.2 * root, 0.5 + 0.2 * root, 9, true},
+        Row{0.5 + 0.6 * root, 0.5 + 0.6 * root, 9, false}}) {
+    SCOPED_TRACE(testing::Message() << row.x << " " << row.y);
+    abut_policy policy = elements_policy(0.5);
+    policy.contact_distance = row.contact_distance;
+    Cloths cloths(policy);
+    cloths.add(ground);
+    cloths.add({{row.x, row.y, 4, row.x, row.y, 4.25, row.x, row.y, 4.5}, {0, 1, 2}}, ABUT_GEOMETRY_FAST);
+    cloths.step();
+    cloths.universe().move(cloths.part(1), at(0, 0, -9));
+    cloths.step();
+    EXPECT_EQ(cloths.contacts().empty(), !row.touches);
+  }
+}
+
+// A policy that comes later knows where the vertices were in the step with time before.
+TEST(ElementContactsOnWay, BeginWithThePolicy) {
+  ABUT_NEEDS_MOTION();
+  Cloths cloths(default_policy());
+  cloths.add(ground);
+  cloths.add(tip, ABUT_GEOMETRY_FAST);
+  cloths.step();
+  cloths.set_policy(elements_policy(0));
+  cloths.step();
+  cloths.universe().move(cloths.part(1), at(0, 0, -4));
+  cloths.step();
+  EXPECT_EQ(cloths.contacts().size(), 3U);
+}
+
+// With time what is within the contact distance, without it all within the tolerance; nothing moves in between.
+TEST(ElementContactsOnWay, AreOtherOnesWithoutTime) {
+  ABUT_NEEDS_MOTION();
+  abut_policy policy = elements_policy(0.5);
+  policy.contact_distance = 0.25;
+  Cloths cloths(policy);
+  cloths.add(ground);
+  cloths.add({{0, 0, 0.125, 0.5, 0, 0.375, 0, 0.2, 2}, {0, 1, 2}}, ABUT_GEOMETRY_FAST);
+  for (int round = 0; round < 2; ++round) {
+    for (int again = 0; again < 2; ++again) {
+      cloths.step();
+      EXPECT_EQ(cloths.contacts().size(), 1U) << round << again;
+    }
+    for (int again = 0; again < 2; ++again) {
+      require(abut_universe_detect_changed(cloths.universe()));
+      EXPECT_EQ(cloths.contacts().size(), 2U) << round << again;
+    }
+  }
+}
+
+// A way from beyond 1e50 is none, though it ends on the ground.
+TEST(ElementContactsOnWay, FromFarAwayAreNone) {
+  ABUT_NEEDS_MOTION();
+  Cloths cloths(elements_policy(0));
+  cloths.add(ground);
+  cloths.add(shifted(tip, 0, 0, 1e60), ABUT_GEOMETRY_FAST);
+  cloths.step();
+  cloths.move(1, shifted(tip, 0, 0, -1.5).xyz);
+  cloths.step();
+  EXPECT_TRUE(cloths.contacts().empty());
+  cloths.move(1, tip.xyz);
+  cloths.step();
+  EXPECT_EQ(cloths.contacts().size(), 1U);
+}
+
+// The hash tells two touches apart that differ by their time alone.
+TEST(ElementContactsOnWay, HaveTheirTimesInTheHash) {
+  ABUT_NEEDS_MOTION();
+  const auto hash_from = [&](double z) {
+    Cloths cloths(elements_policy(0));
+    cloths.add(ground);
+    cloths.add(shifted(tip, 0, 0, z), ABUT_GEOMETRY_FAST);
+    cloths.step();
+    cloths.move(1, shifted(tip, 0, 0, -1.5).xyz);
+    cloths.step();
+    EXPECT_EQ(cloths.contacts().size(), 1U);
+    return cloths.universe().hash();
+  };
+  EXPECT_EQ(hash_from(0.5), hash_from(0.5));
+  EXPECT_NE(hash_from(0.5), hash_from(2.5));
 }
 
 // What is loaded goes on as what was saved, from each of several moments, and is saved as the same bytes.
