@@ -44,7 +44,7 @@ class Demo(unittest.TestCase):
 
     def test_it_succeeds_and_prints_the_table(self):
         self.assertEqual(self.result.returncode, 0, self.result.stderr)
-        for word in ("candidate pairs", "contacts", "narrow phase", "whole step"):
+        for word in ("candidate pairs", "contacts", "element contacts", "narrow phase", "whole step", "cloth"):
             self.assertIn(word, self.result.stdout)
 
     def test_it_digs(self):
@@ -59,7 +59,7 @@ class Demo(unittest.TestCase):
     def test_the_same_seed_gives_the_same_bytes_on_one_thread_and_on_all(self):
         again = pathlib.Path(self.folder.name) / "again"
         small_run(again, "--threads", "1")
-        for name in ("contacts.csv", "steps.csv", "scene.png"):
+        for name in ("contacts.csv", "cloth.csv", "steps.csv", "scene.png"):
             self.assertEqual((self.out / name).read_bytes(), (again / name).read_bytes(), name)
 
     def test_another_seed_gives_other_contacts(self):
@@ -89,6 +89,18 @@ class Demo(unittest.TestCase):
             self.assertAlmostEqual(math.hypot(*normal), 1.0, places=6)
             self.assertAlmostEqual(sum(n * (q - p) for n, p, q in zip(normal, a, b)), distance, delta=2e-5)
             self.assertNotEqual(row["body_a"], row["body_b"])
+
+    def test_a_cloth_lies_on_the_bunny(self):
+        # Within twice its thickness of 0.9 m; four steps are long enough to reach the ears, and too short for folds.
+        rows = rows_of(self.out / "cloth.csv")
+        self.assertGreater(len(rows), 3)
+        self.assertEqual({row["other"] for row in rows}, {"statue"})
+        self.assertEqual(len({row["contact_id"] for row in rows}), len(rows))
+        for row in rows:
+            normal = [float(row[f"normal_{axis}"]) for axis in "xyz"]
+            self.assertAlmostEqual(math.hypot(*normal), 1.0, places=6)
+            self.assertTrue(0.0 < float(row["distance_m"]) <= 1.8)
+            self.assertAlmostEqual(float(row["gap_m"]), float(row["distance_m"]) - 0.9, places=5)
 
     def test_the_picture_has_the_size_asked_for(self):
         start = (self.out / "scene.png").read_bytes()[:24]

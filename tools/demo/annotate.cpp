@@ -13,6 +13,8 @@
 namespace demo {
 namespace {
 
+constexpr Colour cloth_mark_colour{0.55, 1.0, 0.95};
+
 enum class Sight : std::uint8_t { seen, behind_own_body, hidden };
 
 Sight sight_of(const abut_contact& contact, const Pixel& pixel, const abut_pick& pick, const Scene& scene) {
@@ -60,18 +62,39 @@ std::size_t mark_contacts(Picture& picture, const abut_camera& camera, std::span
   return static_cast<std::size_t>(std::ranges::count(marks, Sight::seen, &Mark::sight));
 }
 
+std::size_t mark_cloth(Picture& picture, const abut_camera& camera, const Scene& scene) {
+  const Cloth& cloth = scene.cloth();
+  const double scale = camera.height / 720.0;
+  std::size_t seen = 0;
+  for (const abut_element_contact& contact : cloth.contacts()) {
+    const std::optional<Pixel> pixel = project(camera, cloth.middle_of(contact));
+    if (!pixel) {
+      continue;
+    }
+    const auto index = static_cast<std::size_t>(pixel->y) * camera.width + static_cast<std::size_t>(pixel->x);
+    constexpr double below = 4.0;  // the middle lies under the cloth
+    const abut_pick& pick = picture.picks[index];
+    if (pick.geometry.slot == 0 || pick.distance > pixel->distance - below) {
+      picture.image.draw_disc(pixel->x, pixel->y, 0.7 * scale, cloth_mark_colour, 0.8);
+      ++seen;
+    }
+  }
+  return seen;
+}
+
 void draw_legend(Image& image, const Scene& scene, std::size_t contacts) {
   struct Entry {
     Kind kind;
     std::string_view label;
   };
-  constexpr std::array<Entry, 7> entries{{{Kind::sphere, "sphere"},
+  constexpr std::array<Entry, 8> entries{{{Kind::sphere, "sphere"},
                                           {Kind::box, "box"},
                                           {Kind::capsule, "capsule"},
                                           {Kind::hull, "convex hull"},
                                           {Kind::compound, "several shapes"},
                                           {Kind::bunny_mesh, "bunny, mesh"},
-                                          {Kind::bunny_hull, "bunny, hull"}}};
+                                          {Kind::bunny_hull, "bunny, hull"},
+                                          {Kind::cloth, "cloth"}}};
   const double s = image.width() / 1280.0;
   const double letter = 8.0 * s;
   const double gap = 17.0 * s;
@@ -90,8 +113,14 @@ void draw_legend(Image& image, const Scene& scene, std::size_t contacts) {
     draw_text(image, x, y, letter, entry.label, ink);
     x += text_width(entry.label, letter) + gap;
   }
-  image.draw_disc(x + 0.5 * letter, middle, 0.5 * letter, mark_colour, 1.0);
-  draw_text(image, x + 1.9 * letter, y, letter, std::to_string(contacts) + " contacts", ink);
+  const auto add_count = [&](const Colour& colour, double size, std::size_t count, const char* what) {
+    const std::string text = std::to_string(count) + what;
+    image.draw_disc(x + 0.5 * letter, middle, size * letter, colour, 1.0);
+    draw_text(image, x + 1.9 * letter, y, letter, text, ink);
+    x += 1.9 * letter + text_width(text, letter) + gap;
+  };
+  add_count(mark_colour, 0.5, contacts, " contacts");
+  add_count(cloth_mark_colour, 0.3, scene.cloth().contacts().size(), " of the cloth");
 }
 
 }  // namespace demo

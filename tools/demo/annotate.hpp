@@ -15,6 +15,9 @@ namespace demo {
 std::size_t mark_contacts(Picture& picture, const abut_camera& camera, std::span<const abut_contact> contacts,
                           const Scene& scene);
 
+/// A small dot for each element contact of the cloth that the camera sees. Returns how many there are.
+std::size_t mark_cloth(Picture& picture, const abut_camera& camera, const Scene& scene);
+
 /// Names the colours and says what the picture shows.
 void draw_legend(Image& image, const Scene& scene, std::size_t contacts);
 

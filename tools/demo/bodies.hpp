@@ -13,10 +13,10 @@
 
 namespace demo {
 
-enum class Kind : std::uint8_t { terrain, sphere, box, capsule, hull, compound, bunny_mesh, bunny_hull };
+enum class Kind : std::uint8_t { terrain, sphere, box, capsule, hull, compound, bunny_mesh, bunny_hull, statue, cloth };
 
-inline constexpr std::array<std::string_view, 8> kind_names{"terrain", "sphere",   "box",        "capsule",
-                                                            "hull",    "compound", "bunny_mesh", "bunny_hull"};
+inline constexpr std::array<std::string_view, 10> kind_names{
+    "terrain", "sphere", "box", "capsule", "hull", "compound", "bunny_mesh", "bunny_hull", "statue", "cloth"};
 
 [[nodiscard]] constexpr std::string_view name_of(Kind kind) { return kind_names[static_cast<std::size_t>(kind)]; }
 

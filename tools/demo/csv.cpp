@@ -106,6 +106,23 @@ void write_contacts(const std::filesystem::path& path, std::uint32_t step, std::
   table.close();
 }
 
+void write_cloth(const std::filesystem::path& path, const Cloth& cloth) {
+  constexpr int micrometres = 6;
+  constexpr int direction_decimals = 9;
+  constexpr std::array<std::string_view, 4> kinds{"vertex_face", "edge_edge", "vertex_edge", "vertex_vertex"};
+  Table table(path);
+  table.text("other,kind,element_a,element_b,contact_id,x_m,y_m,z_m,normal_x,normal_y,normal_z,distance_m,gap_m")
+      .end_row();
+  for (const abut_element_contact& contact : cloth.contacts()) {
+    const abut_stencil& its = contact.stencil;
+    table.text(cloth.is_on_bunny(contact) ? name_of(Kind::statue) : name_of(Kind::cloth));
+    table.text(kinds.at(its.kind)).integer(its.element_a).integer(its.element_b).integer(contact.id);
+    table.vector(cloth.middle_of(contact), micrometres).vector(its.normal, direction_decimals);
+    table.real(its.distance, micrometres).real(contact.gap, micrometres).end_row();
+  }
+  table.close();
+}
+
 void write_steps(const std::filesystem::path& path, std::span<const abut_step_stats> steps) {
   Table table(path);
   table.text("step,time_s,geometries,moved,candidate_pairs,touching_pairs,contacts,unsupported_pairs").end_row();

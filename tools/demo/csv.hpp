@@ -14,6 +14,9 @@ namespace demo {
 void write_contacts(const std::filesystem::path& path, std::uint32_t step, std::span<const abut_contact> contacts,
                     const Scene& scene);
 
+/// One row for each element contact of the cloth, where it was found last.
+void write_cloth(const std::filesystem::path& path, const Cloth& cloth);
+
 /// One row for each step: counts, and no times.
 void write_steps(const std::filesystem::path& path, std::span<const abut_step_stats> steps);
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// abut-demo: bodies of many shapes slide over real terrain; see usage() for what it does and writes.
+// abut-demo: bodies of many shapes slide over real terrain, and a cloth falls on a bunny; see usage() for what it does
+// and writes.
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
@@ -41,9 +42,13 @@ Statistics run_steps(Scene& scene, std::uint32_t steps) {
     const Stopwatch motion;
     scene.move();
     const double motion_microseconds = motion.microseconds();
+    const Stopwatch cloth;
+    scene.move_cloth();
+    const double cloth_microseconds = cloth.microseconds();
     const Stopwatch whole;
     scene.detect();
     statistics.record(scene.universe(), motion_microseconds, whole.microseconds());
+    statistics.record_cloth(scene.cloth(), cloth_microseconds);
     progress.show(step);
   }
   progress.finish();
@@ -69,10 +74,12 @@ void draw_picture(const std::filesystem::path& path, const Options& options, con
   const abut_camera camera = make_camera(picker, scene.terrain(), options);
   Picture picture = render(picker, Hillside(scene), camera, Elsewhere::lines);
   const std::size_t seen = mark_contacts(picture, camera, contacts, scene);
+  const std::size_t seen_on_cloth = mark_cloth(picture, camera, scene);
   draw_legend(picture.image, scene, contacts.size());
   write_png(path, picture.image);
-  std::printf("\npicture: %u x %u pixels, %zu of %zu contacts in plain sight, %.1f s\n", options.width, options.height,
-              seen, contacts.size(), 1e-6 * watch.microseconds());
+  std::printf("\npicture: %u x %u pixels, %zu of %zu contacts and %zu of %zu element contacts in plain sight, %.1f s\n",
+              options.width, options.height, seen, contacts.size(), seen_on_cloth, scene.cloth().contacts().size(),
+              1e-6 * watch.microseconds());
 }
 
 void run(const Options& options) {
@@ -85,8 +92,8 @@ void run(const Options& options) {
   std::printf(
       "abut %s: %zu bodies of %zu geometries and %zu shapes on %u x %u elevations (heights x %g), %u steps of %g s, "
       "seed %llu, threads: %s\n",
-      abut_version_string(), scene.body_count(), scene.geometry_count() - 1, scene.shape_count(),
-      scene.terrain().columns(), scene.terrain().rows(), Terrain::exaggeration, options.steps, step_seconds,
+      abut_version_string(), scene.body_count(), scene.geometry_count(), scene.shape_count(), scene.terrain().columns(),
+      scene.terrain().rows(), Terrain::exaggeration, options.steps, step_seconds,
       static_cast<unsigned long long>(options.seed),
       options.threads == 0 ? "all" : std::to_string(options.threads).c_str());
   std::fflush(stdout);
@@ -99,9 +106,11 @@ void run(const Options& options) {
   }
   write_contacts(options.out / "contacts.csv", options.steps, contacts, scene);
   write_steps(options.out / "steps.csv", statistics.steps());
+  write_cloth(options.out / "cloth.csv", scene.cloth());
   std::fflush(stdout);
   draw_picture(options.out / "scene.png", options, scene, contacts);
-  std::printf("wrote %s: contacts.csv (the last step), steps.csv (all steps), scene.png\n", options.out.c_str());
+  std::printf("wrote %s: contacts.csv and cloth.csv (the last step), steps.csv (all steps), scene.png\n",
+              options.out.c_str());
 }
 
 }  // namespace

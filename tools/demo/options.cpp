@@ -83,7 +83,8 @@ const char* usage() {
   return R"(usage: abut-demo [options]
 
 Lays bodies of many shapes on the Jacksboro elevation grid, lets them slide downhill, finds their contacts in
-every step, prints counts and times, and writes contacts.csv, steps.csv and scene.png.
+every step, prints counts and times, and writes contacts.csv, cloth.csv, steps.csv and scene.png. A cloth falls on a
+bunny beside them.
 
   --steps N      steps to run, default 120
   --bodies N     bodies to lay out, default 2000

@@ -100,6 +100,8 @@ Colour colour_of(Kind kind) {
     case Kind::compound: return {0.05, 0.17, 0.50};
     case Kind::bunny_mesh: return {0.78, 0.75, 0.68};
     case Kind::bunny_hull: return {0.72, 0.25, 0.36};
+    case Kind::statue: return {0.42, 0.40, 0.37};
+    case Kind::cloth: return {0.62, 0.05, 0.12};
   }
   return {0.0, 0.0, 0.0};
 }

@@ -53,6 +53,11 @@ void Statistics::record(const abut_universe* universe, double motion_microsecond
   whole_.push_back(step_microseconds);
 }
 
+void Statistics::record_cloth(const Cloth& cloth, double microseconds) {
+  element_contacts_.push_back(static_cast<double>(cloth.contacts().size()));
+  cloth_.push_back(microseconds);
+}
+
 void Statistics::print() const {
   std::printf("\n%-28s %12s %12s %12s %14s\n", "counts per step", "min", "median", "max", "all steps");
   print_count("moved geometries", column(steps_, &abut_step_stats::moved));
@@ -60,6 +65,7 @@ void Statistics::print() const {
   print_count("touching pairs", column(steps_, &abut_step_stats::touching_pairs));
   print_count("contacts", column(steps_, &abut_step_stats::contacts));
   print_count("unsupported pairs", column(steps_, &abut_step_stats::unsupported_pairs));
+  print_count("element contacts, cloth", element_contacts_);
 
   std::printf("\n%-28s %12s %12s %12s %14s\n", "milliseconds per step", "min", "median", "max", "all steps");
   print_time("motion (by the demo)", motion_);
@@ -68,6 +74,7 @@ void Statistics::print() const {
   print_time("narrow phase: to manifolds", column(steps_, &abut_step_stats::narrowphase_microseconds));
   print_time("contacts: reduce and order", column(steps_, &abut_step_stats::contact_microseconds));
   print_time("whole step", whole_);
+  print_time("cloth: five steps of its own", cloth_);
 }
 
 }  // namespace demo

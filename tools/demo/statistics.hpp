@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "cloth.hpp"
 #include "owned.hpp"
 
 namespace demo {
@@ -14,6 +15,9 @@ class Statistics {
  public:
   /// Takes the numbers of the last step and the time that the motion and the call took.
   void record(const abut_universe* universe, double motion_microseconds, double step_microseconds);
+
+  /// Takes what the cloth found last in a step, and the time that it took.
+  void record_cloth(const Cloth& cloth, double microseconds);
 
   /// Prints the table on the standard output.
   void print() const;
@@ -24,6 +28,8 @@ class Statistics {
   std::vector<abut_step_stats> steps_;
   std::vector<double> motion_;
   std::vector<double> whole_;
+  std::vector<double> cloth_;
+  std::vector<double> element_contacts_;
 };
 
 }  // namespace demo
