@@ -107,6 +107,41 @@ TEST(ElementContactsOfPairs, DoNotTouchBeyondTheirReach) {
   EXPECT_TRUE(cloths.universe().events().empty());
 }
 
+// A pair that ends takes its contacts along, also where a detection elsewhere sees another pair come in its place.
+TEST(ElementContactsOfPairs, EndWhereAnotherPairBegins) {
+  Cloths cloths(elements_policy(0.25));
+  cloths.add(ground);
+  cloths.add(tip_at(0, 0, 0.125));
+  cloths.add(shifted(ground, 9, 0, 0));
+  cloths.step();
+  EXPECT_EQ(cloths.stencils(0, 1).size(), 1U);
+  cloths.universe().move(cloths.part(1), at(9, 0, 0));
+  const abut_aabb elsewhere{{-9, -9, -9}, {-8, -8, -8}};
+  require(abut_universe_detect_region(cloths.universe(), &elsewhere));
+  EXPECT_TRUE(cloths.stencils(0, 1).empty());
+  EXPECT_TRUE(cloths.stencils(1, 2).empty()) << "not examined yet";
+  cloths.step();
+  EXPECT_TRUE(cloths.stencils(0, 1).empty());
+  EXPECT_EQ(cloths.stencils(1, 2).size(), 1U);
+}
+
+// Nor does a geometry in the slot of another one take over contacts, before a detection has looked at it.
+TEST(ElementContactsOfPairs, EndWithTheirGeometry) {
+  Cloths cloths(elements_policy(0.25));
+  cloths.add(ground);
+  cloths.add(tip_at(0, 0, 0.125));
+  cloths.step();
+  EXPECT_EQ(cloths.contacts().size(), 1U);
+  require(abut_geometry_destroy(cloths.universe(), cloths.geometry(1)));
+  cloths.add(tip_at(0, 0, 0.125));
+  EXPECT_EQ(cloths.geometry(1).slot, cloths.geometry(2).slot);
+  const abut_aabb elsewhere{{-9, -9, -9}, {-8, -8, -8}};
+  require(abut_universe_detect_region(cloths.universe(), &elsewhere));
+  EXPECT_TRUE(cloths.contacts().empty());
+  cloths.step();
+  EXPECT_EQ(cloths.stencils(0, 2).size(), 1U);
+}
+
 // Sixth powers of coordinates beyond 1e50 are no numbers.
 TEST(ElementContactsOfPairs, FarAwayAreNone) {
   Cloths cloths(elements_policy(0.25));
