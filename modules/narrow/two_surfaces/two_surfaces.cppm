@@ -57,7 +57,7 @@ class SlabBetween {
   Real shift_ = 0, high_a_ = infinity, low_b_ = -infinity;
 };
 
-// The nearest or deepest two triangles, each as a sheet.
+// The depth of the whole, or the nearest two triangles, each as a sheet.
 template <Surface A, Surface B>
 [[nodiscard]] Outcome surfaces_distance(const A& a, const B& b, const Pose& ab, const QuerySettings& settings,
                                         Distance& out) {
