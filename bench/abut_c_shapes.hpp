@@ -29,7 +29,24 @@ inline void expect_ok(abut_status status) {
   return {{position[0], position[1], position[2]}, {q[0], q[1], q[2], q[3]}};
 }
 
+[[nodiscard]] inline AbutCShape abut_c_composite(const Solid& solid) {
+  abut_shape* box = nullptr;
+  expect_ok(abut_box_create(solid.sizes[0], solid.sizes[1], solid.sizes[2], &box));
+  const AbutCShape child(box);
+  const std::vector<const abut_shape*> children(solid.points.size(), box);
+  std::vector<abut_pose> poses;
+  for (const Point& p : solid.points) {
+    poses.push_back(abut_c_pose({p, {1, 0, 0, 0}}));
+  }
+  abut_shape* shape = nullptr;
+  expect_ok(abut_composite_create(children.data(), poses.data(), poses.size(), &shape));
+  return AbutCShape(shape);
+}
+
 [[nodiscard]] inline AbutCShape abut_c_shape(const Solid& solid) {
+  if (solid.kind == Kind::composite) {
+    return abut_c_composite(solid);
+  }
   const std::vector<double> parameters = abut_parameters(solid), reals = abut_reals(solid);
   const std::vector<std::uint32_t> indices = abut_indices(solid);
   abut_shape_desc desc;

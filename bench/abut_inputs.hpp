@@ -12,7 +12,7 @@
 namespace bench {
 
 [[nodiscard]] inline std::string_view abut_kind_name(const Solid& solid) {
-  return is_hull(solid.kind) ? "hull" : kind_name(solid.kind);
+  return is_hull(solid.kind) ? "hull" : solid.kind == Kind::solid_mesh ? "mesh" : kind_name(solid.kind);
 }
 
 [[nodiscard]] inline std::vector<double> flattened(const std::vector<Point>& points) {
@@ -22,6 +22,10 @@ namespace bench {
   }
   return xyz;
 }
+
+// Half of its layers are below the surface.
+inline constexpr int field_layers = 9;
+[[nodiscard]] inline double field_depth(const Solid& field) { return field_layers / 2 * field.sizes[1]; }
 
 [[nodiscard]] inline std::vector<double> abut_parameters(const Solid& solid) {
   const Point& s = solid.sizes;
@@ -35,7 +39,15 @@ namespace bench {
     case Kind::plane: return {0, 0, 1, 0};
     case Kind::triangle: return flattened(solid.points);
     case Kind::mesh: return {0};
+    case Kind::solid_mesh: return {2};
+    case Kind::distance_field: {
+      const double half = 0.5 * (s[0] - 1) * s[1];
+      return {s[0], s[0], field_layers, s[1], s[1], s[1], -half, -half, -field_depth(solid), 0};
+    }
+    case Kind::particles: return {s[0]};
     case Kind::height_field: return {s[0], s[0], s[1], s[1]};
+    case Kind::point:
+    case Kind::composite:
     case Kind::hull32:
     case Kind::hull200:
     case Kind::hull: return {};
@@ -43,7 +55,7 @@ namespace bench {
   return {};
 }
 
-// The numbers beside the parameters: the points of a hull or a mesh, the heights of a height field.
+// The numbers beside the parameters: points, or the heights or the values of a field.
 [[nodiscard]] inline std::vector<double> abut_reals(const Solid& solid) {
   if (solid.kind == Kind::height_field) {
     std::vector<double> heights;
@@ -52,13 +64,22 @@ namespace bench {
     }
     return heights;
   }
-  return is_hull(solid.kind) || solid.kind == Kind::mesh ? flattened(solid.points) : std::vector<double>{};
+  if (solid.kind == Kind::distance_field) {
+    const auto in_layer = static_cast<std::size_t>(solid.sizes[0] * solid.sizes[0]);
+    std::vector<double> values;
+    for (int k = 0; k < field_layers; ++k) {
+      values.insert(values.end(), in_layer, solid.sizes[1] * k - field_depth(solid));
+    }
+    return values;
+  }
+  const bool has_points = is_hull(solid.kind) || is_mesh(solid.kind) || solid.kind == Kind::particles;
+  return has_points ? flattened(solid.points) : std::vector<double>{};
 }
 
 // The triangles of a mesh.
 [[nodiscard]] inline std::vector<std::uint32_t> abut_indices(const Solid& solid) {
   std::vector<std::uint32_t> indices;
-  for (std::size_t i = 0; solid.kind == Kind::mesh && i < solid.triangles.size(); ++i) {
+  for (std::size_t i = 0; is_mesh(solid.kind) && i < solid.triangles.size(); ++i) {
     for (const int corner : solid.triangles[i]) {
       indices.push_back(static_cast<std::uint32_t>(corner));
     }

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdio>
 #include <filesystem>
+#include <span>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -12,6 +13,7 @@
 #include <vector>
 
 #include "accuracy_file.hpp"
+#include "accuracy_parts.hpp"
 #include "accuracy_rows.hpp"
 #include "accuracy_scenes.hpp"
 #include "accuracy_tables.hpp"
@@ -23,6 +25,11 @@ namespace {
 
 constexpr std::array kinds{Kind::sphere, Kind::capsule,   Kind::box,    Kind::cylinder,
                            Kind::cone,   Kind::ellipsoid, Kind::hull32, Kind::hull200};
+
+// Those that stand on shapes of many parts.
+constexpr std::array bodies{Kind::sphere, Kind::capsule, Kind::box, Kind::cylinder, Kind::hull32};
+constexpr std::array all_queries{Query::distance, Query::depth, Query::contacts, Query::overlap,
+                                 Query::cast,     Query::ray,   Query::impact};
 
 constexpr const char* usage = R"(usage: abut_bench_accuracy [--out FOLDER] [--cases N] [--repetitions N] [--only TEXT]
 
@@ -79,28 +86,45 @@ void ask(const Flags& flags, Query query, Condition condition, const std::string
   }
 }
 
+bool is_asked(const Flags& flags, Query query, Condition condition, const std::string& pair) {
+  const std::string name = std::string(query_name(query)) + "/" + std::string(condition_name(condition)) + "/" + pair;
+  const bool is_left_out = !flags.without.empty() && name.find(flags.without) != std::string::npos;
+  return name.find(flags.only) != std::string::npos && !is_left_out;
+}
+
+std::string pair_name(Query query, Kind a, Kind b) {
+  const std::string first(kind_name(a));
+  return query == Query::ray ? first : first + "-" + std::string(kind_name(b));
+}
+
 void add_rows(const Flags& flags, Query query, Condition condition, AccuracyScenes& scenes, Written& written) {
   for (std::size_t b = 0; b < kinds.size(); ++b) {
-    for (std::size_t a = 0; a <= b; ++a) {
-      const std::string pair = std::string(kind_name(kinds[a])) + "-" + std::string(kind_name(kinds[b]));
-      const std::string rest = "/" + std::string(condition_name(condition)) + "/" + pair;
-      const auto is_asked = [&](Query one) {
-        const std::string name = std::string(query_name(one)) + rest;
-        const bool is_left_out = !flags.without.empty() && name.find(flags.without) != std::string::npos;
-        return name.find(flags.only) != std::string::npos && !is_left_out;
-      };
-      // The deepest contact of a pair is as deep as the pair.
-      const bool with_contacts = query == Query::depth && is_asked(Query::contacts);
-      if (!is_asked(query) && !with_contacts) {
+    const std::size_t first = query == Query::ray ? b : 0;
+    for (std::size_t a = first; a <= b; ++a) {
+      const Kind kind_b = query == Query::ray ? Kind::point : kinds[b];
+      const std::string pair = pair_name(query, kinds[a], kind_b);
+      if (!is_asked(flags, query, condition, pair)) {
         continue;
       }
-      if (const auto cell = scenes.make(query, condition, kinds[a], kinds[b], flags.cases)) {
-        if (is_asked(query)) {
-          ask(flags, query, condition, pair, *cell, written);
-        }
-        if (with_contacts) {
-          ask(flags, Query::contacts, condition, pair, *cell, written);
-        }
+      // The deepest contact of a pair is as deep as the pair.
+      const Query judged = query == Query::contacts ? Query::depth : query;
+      if (const auto cell = scenes.make(judged, condition, kinds[a], kind_b, flags.cases)) {
+        ask(flags, query, condition, pair, *cell, written);
+      }
+    }
+  }
+}
+
+void add_rows_of_parts(const Flags& flags, Query query, PartScenes& scenes, Written& written) {
+  for (const Kind a : kinds_of_parts) {
+    constexpr std::array points{Kind::point};
+    for (const Kind b : query == Query::ray ? std::span<const Kind>(points) : bodies) {
+      const std::string pair = pair_name(query, a, b);
+      if (!is_asked(flags, query, Condition::ordinary, pair)) {
+        continue;
+      }
+      if (const auto cell = scenes.make(query, a, b, flags.cases)) {
+        ask(flags, query, Condition::ordinary, pair, *cell, written);
       }
     }
   }
@@ -110,12 +134,15 @@ void run(const Flags& flags) {
   std::filesystem::create_directories(flags.out);
   AccuracyScenes scenes;
   Written written;
-  for (const Query query : {Query::distance, Query::depth, Query::cast}) {
+  PartScenes of_parts;
+  for (const Query query : all_queries) {
     for (const Condition condition : all_conditions) {
       std::fprintf(stderr, "%s, %s\n", std::string(query_name(query)).c_str(),
                    std::string(condition_title(condition)).c_str());
       add_rows(flags, query, condition, scenes, written);
     }
+    std::fprintf(stderr, "%s, shapes of many parts\n", std::string(query_name(query)).c_str());
+    add_rows_of_parts(flags, query, of_parts, written);
   }
   const std::vector<Row>& rows = written.rows;
   if (rows.empty()) {

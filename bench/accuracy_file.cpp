@@ -19,6 +19,7 @@ Json shape_of(const Solid& solid) {
   Json shape{{"kind", abut_kind_name(solid)}};
   const Point& s = solid.sizes;
   switch (solid.kind) {
+    case Kind::point: break;
     case Kind::sphere: shape["radius"] = s[0]; break;
     case Kind::capsule:
     case Kind::cylinder:
@@ -32,18 +33,46 @@ Json shape_of(const Solid& solid) {
     case Kind::hull200:
     case Kind::hull: shape["points"] = solid.points; break;
     case Kind::mesh:
+    case Kind::solid_mesh:
       shape["vertices"] = solid.points;
       shape["triangles"] = solid.triangles;
+      shape["sides"] = solid.kind == Kind::solid_mesh ? 2 : 0;
       break;
     case Kind::plane: shape["normal"] = Point{0, 0, 1}; break;
-    case Kind::triangle:
-    case Kind::height_field: throw std::runtime_error("no scene is written of a " + std::string(kind_name(solid.kind)));
+    case Kind::height_field: {
+      const auto side = static_cast<std::size_t>(s[0]);
+      shape["spacing_x"] = shape["spacing_y"] = s[1];
+      for (std::size_t i = 0; i < solid.points.size(); ++i) {
+        shape["heights"][i / side].push_back(solid.points[i][2]);
+      }
+      break;
+    }
+    case Kind::distance_field: {
+      const double half = 0.5 * (s[0] - 1) * s[1];
+      shape["columns"] = shape["rows"] = s[0];
+      shape["layers"] = field_layers;
+      shape["spacing"] = Point{s[1], s[1], s[1]};
+      shape["origin"] = Point{-half, -half, -field_depth(solid)};
+      shape["is_inside_out"] = false;
+      shape["reals"] = abut_reals(solid);
+      break;
+    }
+    case Kind::particles:
+      shape["radius"] = s[0];
+      shape["centres"] = solid.points;
+      break;
+    case Kind::composite:
+      for (const Point& p : solid.points) {
+        shape["children"].push_back({{"shape", {{"kind", "box"}, {"half", s}}}, {"pose", {{"position", p}}}});
+      }
+      break;
+    case Kind::triangle: throw std::runtime_error("no scene is written of a " + std::string(kind_name(solid.kind)));
   }
   return shape;
 }
 
 // Scenes of more triangles than that are left to the reader.
-constexpr std::size_t most_triangles = 1000;
+constexpr std::size_t most_triangles = 2048;
 
 Json pose_of(const Placement& placement) {
   return {{"position", placement.position}, {"quaternion", placement.orientation}};
@@ -74,6 +103,9 @@ void RowFile::add(const Json& labels, const Row& row, const JudgedCell& cell) {
                      {"none", row.failed.none},
                      {"not_finite", row.failed.not_finite},
                      {"wrong_side", row.failed.wrong_side}};
+  if (row.query == Query::contacts) {
+    its["points"] = row.points;
+  }
   if (row.broken) {
     its["broken"] = {{"outside", row.broken->outside}, {"beyond", row.broken->beyond}, {"wide", row.broken->wide}};
   }
@@ -90,8 +122,12 @@ std::size_t RowFile::number_of_pair(const Row& row, const JudgedCell& cell) {
             {"b", number_of(shape_numbers_, shapes_, shape_of(cell.solids_b[worst.b]))},
             {"pose_b", pose_of(worst.pose_b)},
             {"truth", static_cast<double>(cell.truths[row.worst])}};
-  if (row.query == Query::cast) {
+  const bool is_impact = row.query == Query::impact;
+  if (row.query == Query::cast || row.query == Query::ray || is_impact) {
     pair["motion"] = worst.motion;
+  }
+  if (is_impact) {
+    pair["turn"] = worst.turn;
   }
   return number_of(pair_numbers_, pairs_, std::move(pair));
 }

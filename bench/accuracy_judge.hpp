@@ -2,6 +2,7 @@
 // What the signed distance of two solids is: by the oracle of the tests, in 113-bit floating point. It shares no code
 // with abut.
 #pragma once
+#include <functional>
 #include <optional>
 
 #include "oracle/distance.hpp"
@@ -31,12 +32,23 @@ class Judge {
 // Exact to about 1e-18 of the size. Of solids apart, and of rounded ones whose cores are apart, from support points;
 // of other overlapping ones from their features, which takes longer: only where overlaps are asked for. Nothing where a
 // cylinder overlaps the core of the other.
-[[nodiscard]] std::optional<oracle::Quad> true_distance(Judge& a, const Placement& pose_a, Judge& b,
-                                                        const Placement& pose_b, bool with_overlaps);
+[[nodiscard]] std::optional<oracle::Quad> true_distance(Judge& a, const oracle::Pose& at_a, Judge& b,
+                                                        const oracle::Pose& at_b, bool with_overlaps);
+
+// No more than the distance, from support points alone; nothing where the cores touch.
+[[nodiscard]] std::optional<oracle::Quad> least_distance(const Judge& a, const oracle::Pose& at_a, const Judge& b,
+                                                         const oracle::Pose& at_b);
 
 // The share of the motion of b, which does not turn, at which it first touches a; 1 where it passes. Solids that are
 // apart at the start. Each step is the way that the plane between both allows, Newton's method on a convex function.
-[[nodiscard]] oracle::Quad true_cast(const Judge& a, const Placement& pose_a, const Judge& b, const Placement& pose_b,
+[[nodiscard]] oracle::Quad true_cast(const Judge& a, const oracle::Pose& at_a, const Judge& b, oracle::Pose at_b,
                                      const Point& motion);
+
+// The same of b that turns as well, from its distances on the way: each step is one in which no point of b, all within
+// the reach of its origin, can go as far, or close to the touch most of the way that the last two tell. Nothing where
+// that does not end. `distance_at` has nothing where the cores touch.
+using DistanceAt = std::function<std::optional<oracle::Quad>(const oracle::Pose& at_b)>;
+[[nodiscard]] std::optional<oracle::Quad> true_impact(const DistanceAt& distance_at, const oracle::Pose& from,
+                                                      const Point& motion, const Point& turn, double reach);
 
 }  // namespace bench

@@ -62,7 +62,12 @@ Vec side_normal(const Solid& solid, Random& random) {
     case Kind::plane:
     case Kind::triangle:
     case Kind::mesh:
-    case Kind::height_field: return oracle::unit(vec_of(any));
+    case Kind::height_field:
+    case Kind::solid_mesh:
+    case Kind::distance_field:
+    case Kind::particles:
+    case Kind::point:
+    case Kind::composite: return oracle::unit(vec_of(any));
   }
   return {};
 }

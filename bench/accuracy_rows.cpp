@@ -36,6 +36,15 @@ bool is_bounded(const AbutQuery& asked) {
 
 double minus(double value, oracle::Quad truth) { return static_cast<double>(oracle::quad(value) - truth); }
 
+// By the size. A yes or no that is wrong is off by what the pair is apart or deep.
+double error_of(Query query, const JudgedCell& cell, double found, std::size_t i) {
+  if (query != Query::overlap) {
+    return std::fabs(minus(found, cell.truths[i])) / cell.sizes[i];
+  }
+  const bool is_right = (found < 0) == (cell.truths[i] < 0);
+  return is_right ? 0 : std::fabs(static_cast<double>(cell.truths[i])) / cell.sizes[i];
+}
+
 Broken broken_by(const AbutQuery& asked, const JudgedCell& cell, std::span<const Answer> answers) {
   Broken broken;
   const std::vector<Interval> intervals = abut_intervals(cell.cell(), asked);
@@ -47,7 +56,7 @@ Broken broken_by(const AbutQuery& asked, const JudgedCell& cell, std::span<const
     const double rounding = cell.roundings[i], most = bound_of(asked, cell) * cell.sizes[i] + rounding;
     const bool holds = minus(lower, cell.truths[i]) <= rounding && minus(upper, cell.truths[i]) >= -rounding;
     broken.outside += holds ? 0 : 1;
-    if (is_bounded(asked)) {
+    if (is_bounded(asked) && is_bounded_and_convex(cell.solids_a.front().kind)) {
       broken.beyond += std::fabs(minus(answers[i].distance, cell.truths[i])) <= most ? 0 : 1;
       broken.wide += upper - lower <= most ? 0 : 1;
     }
@@ -60,7 +69,7 @@ void add_errors(Query query, const AbutQuery& asked, const JudgedCell& cell, std
                 std::span<const std::size_t> kept, Row& row) {
   double most = -1;
   for (std::size_t i = 0; i < answers.size(); ++i) {
-    const double found = answers[i].distance, error = std::fabs(minus(found, cell.truths[i])) / cell.sizes[i];
+    const double found = answers[i].distance, error = error_of(query, cell, found, i);
     const bool is_far_off = error > std::max(wrong_side, asked.error_bound);
     const bool is_wrong = (found < 0) != (cell.truths[i] < 0) && is_far_off;
     // Two that overlap by so little may have no contact.
@@ -150,6 +159,9 @@ std::optional<Ready> ready(const Entrant& entrant, Query query, const JudgedCell
   if (result.contender) {
     result.contender->answer(result.answers);
     add_errors(query, entrant.asked, cell, result.answers, kept, result.row);
+    for (const Answer& answer : result.answers) {
+      result.row.points += static_cast<double>(answer.points) / static_cast<double>(result.answers.size());
+    }
   }
   if (entrant.make == nullptr && (query == Query::distance || query == Query::depth)) {
     result.row.broken = broken_by(entrant.asked, cell, result.answers);

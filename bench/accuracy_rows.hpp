@@ -55,6 +55,7 @@ struct Row {
   Failures failed;
   std::size_t worst = 0;  // of the cases: the first that failed, or else the one of the largest error
   std::optional<Broken> broken;
+  double points = 0;  // of contacts: how many there are, on the average of all answers
 };
 
 // One row for each of the chosen entrants that has the query; question, condition and pair are left to the caller. The

@@ -42,8 +42,10 @@ bool is_judged(Query query, Kind a, Kind b) {
 // A flat or straight side to lie along.
 bool has_side(Kind kind) { return kind != Kind::sphere && kind != Kind::cone && kind != Kind::ellipsoid; }
 
+bool is_on_way(Query query) { return query == Query::cast || query == Query::ray || query == Query::impact; }
+
 bool makes_sense(Query query, Condition condition, Kind a, Kind b) {
-  if (query == Query::cast && condition != Condition::ordinary && condition != Condition::far) {
+  if (is_on_way(query) && condition != Condition::ordinary && condition != Condition::far) {
     return false;
   }
   if (condition == Condition::parallel) {
@@ -86,8 +88,11 @@ class Draws {
  private:
   Case ordinary() {
     Case one = random_case(a_.solids, b_.solids, random_);
-    if (query_ == Query::cast) {
+    if (is_on_way(query_)) {
       give_motion(one, reach(one), random_);
+      const Point axis = random_.direction();
+      const double angle = query_ == Query::impact ? random_.uniform(0, 1.5) : 0;
+      one.turn = {angle * axis[0], angle * axis[1], angle * axis[2]};
     }
     return one;
   }
@@ -192,12 +197,15 @@ std::string_view condition_title(Condition condition) {
 }
 
 void JudgedCell::add(const Case& one, Quad truth) {
-  const double size = 2 * (bounding_radius(solids_a[one.a]) + bounding_radius(solids_b[one.b]));
+  const double size_a = is_endless(solids_a[one.a].kind) ? 0 : bounding_radius(solids_a[one.a]);
+  const double size = 2 * (size_a + bounding_radius(solids_b[one.b]));
   const Point &p = one.pose_a.position, &q = one.pose_b.position;
   const double apart = std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]);
+  const double way = std::hypot(one.motion[0], one.motion[1], one.motion[2]);
   cases.push_back(one);
   truths.push_back(truth);
-  sizes.push_back(size);
+  // Of a ray onto ground there is no other size.
+  sizes.push_back(way == 0 ? size : size > 0 ? size / way : 1);
   roundings.push_back(64 * std::numeric_limits<double>::epsilon() * (size / 2 + apart));  // as in the property tests
 }
 
@@ -243,8 +251,8 @@ AccuracyScenes::Pool& AccuracyScenes::pool(Form form, Kind kind) {
   return pool;
 }
 
-std::optional<JudgedCell> AccuracyScenes::make(Query query, Condition condition, Kind kind_a, Kind kind_b,
-                                               std::size_t count) {
+std::optional<JudgedCell> AccuracyScenes::judged(Query query, Condition condition, Kind kind_a, Kind kind_b,
+                                                 std::size_t count) {
   if (!is_judged(query, kind_a, kind_b) || !makes_sense(query, condition, kind_a, kind_b)) {
     return std::nullopt;
   }
@@ -258,23 +266,48 @@ std::optional<JudgedCell> AccuracyScenes::make(Query query, Condition condition,
   const std::size_t wanted = wanted_cases(query, kind_a, kind_b, count);
   for (std::size_t i = 0; i < most_tries * wanted && cell.cases.size() < wanted; ++i) {
     const Case one = draws.next();
+    const oracle::Pose at_a = oracle_pose(one.pose_a), at_b = oracle_pose(one.pose_b);
     const std::optional<Quad> truth =
-        true_distance(a.judges[one.a], one.pose_a, b.judges[one.b], one.pose_b, query == Query::depth);
+        true_distance(a.judges[one.a], at_a, b.judges[one.b], at_b, query == Query::depth);
     if (!truth || !draws.is_wanted(*truth)) {
       continue;
     }
-    if (query != Query::cast) {
+    if (!is_on_way(query)) {
       cell.add(one, *truth);
       continue;
     }
-    const Quad share = true_cast(a.judges[one.a], one.pose_a, b.judges[one.b], one.pose_b, one.motion);
-    // A cast that passes has no share to be compared.
-    if (share < 1) {
-      cell.add(one, share);
-      cell.sizes.back() /= std::hypot(one.motion[0], one.motion[1], one.motion[2]);
+    const auto distance_at = [&](const oracle::Pose& at) {
+      return least_distance(a.judges[one.a], at_a, b.judges[one.b], at);
+    };
+    const std::optional<Quad> share =
+        query == Query::impact ? true_impact(distance_at, at_b, one.motion, one.turn, bounding_radius(b.solids[one.b]))
+                               : true_cast(a.judges[one.a], at_a, b.judges[one.b], at_b, one.motion);
+    // One that passes has no share to be compared.
+    if (share && *share < 1) {
+      cell.add(one, *share);
     }
   }
   return cell.cases.empty() ? std::nullopt : std::optional(std::move(cell));
+}
+
+std::optional<JudgedCell> AccuracyScenes::make_overlaps(Condition condition, Kind a, Kind b, std::size_t count) {
+  std::optional<JudgedCell> cell = make(Query::distance, condition, a, b, count);
+  const std::optional<JudgedCell> overlapping = make(Query::depth, condition, a, b, count);
+  for (std::size_t i = 0; cell && overlapping && i < overlapping->cases.size(); ++i) {
+    cell->add(overlapping->cases[i], overlapping->truths[i]);
+  }
+  return cell;
+}
+
+std::optional<JudgedCell> AccuracyScenes::make(Query query, Condition condition, Kind a, Kind b, std::size_t count) {
+  if (query == Query::overlap) {
+    return make_overlaps(condition, a, b, count);
+  }
+  const auto [place, is_new] = made_.try_emplace({query, condition, a, b, count});
+  if (is_new) {
+    place->second = judged(query, condition, a, b, count);
+  }
+  return place->second;
 }
 
 }  // namespace bench

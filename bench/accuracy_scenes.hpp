@@ -8,6 +8,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -38,20 +39,27 @@ struct JudgedCell {
 
 class AccuracyScenes {
  public:
-  // Nothing where the oracle has no answer, or where the condition makes no sense for the pair.
+  // Nothing where the oracle has no answer, or where the condition makes no sense for the pair. Of a ray, `b` is a
+  // point.
   [[nodiscard]] std::optional<JudgedCell> make(Query query, Condition condition, Kind a, Kind b, std::size_t count);
 
  private:
+  using Name = std::tuple<Query, Condition, Kind, Kind, std::size_t>;
+
   enum class Form : std::uint8_t { ordinary, thin, of_two_sizes };
   struct Pool {
     std::vector<Solid> solids;
     std::vector<Judge> judges;
   };
 
+  [[nodiscard]] std::optional<JudgedCell> judged(Query query, Condition condition, Kind a, Kind b, std::size_t count);
+  // As many apart as overlapping.
+  [[nodiscard]] std::optional<JudgedCell> make_overlaps(Condition condition, Kind a, Kind b, std::size_t count);
   [[nodiscard]] static Form form_of(Condition condition);
   Pool& pool(Form form, Kind kind);
 
   std::map<std::pair<Form, Kind>, Pool> pools_;
+  std::map<Name, std::optional<JudgedCell>> made_;  // the oracle takes its time
 };
 
 }  // namespace bench

@@ -21,7 +21,12 @@ Solid made_thin(Solid solid, bool is_needle, double aspect) {
     case Kind::hull:
     case Kind::triangle:
     case Kind::mesh:
-    case Kind::height_field: break;
+    case Kind::height_field:
+    case Kind::solid_mesh:
+    case Kind::distance_field:
+    case Kind::particles:
+    case Kind::point:
+    case Kind::composite: break;
   }
   const auto flatten = [is_needle, aspect](Point& p) {
     p[2] /= is_needle ? 1 : aspect;

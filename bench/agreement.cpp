@@ -15,7 +15,7 @@ constexpr double far_off = 1e-3;
 }  // namespace
 
 std::string_view query_name(Query query) {
-  constexpr std::array<std::string_view, 4> names{"distance", "depth", "contacts", "cast"};
+  constexpr std::array<std::string_view, 7> names{"distance", "depth", "contacts", "cast", "overlap", "ray", "impact"};
   return names[static_cast<std::size_t>(query)];
 }
 

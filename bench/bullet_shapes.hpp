@@ -20,7 +20,7 @@ namespace bench {
                      to_bullet(placement.position));
 }
 
-// A negative margin keeps Bullet's own. Null for an ellipsoid, which Bullet has not.
+// A negative margin keeps Bullet's own. Null for what Bullet has not.
 [[nodiscard]] inline std::unique_ptr<btCollisionShape> bullet_shape(const Solid& solid, double margin) {
   const auto with_margin = [&](auto shape) {
     if (margin >= 0) {
@@ -39,7 +39,12 @@ namespace bench {
     }
     case Kind::cone:
       return with_margin(std::make_unique<btConeShapeZ>(to_bullet(solid.sizes[0]), to_bullet(2 * solid.sizes[1])));
-    case Kind::ellipsoid: return nullptr;
+    case Kind::ellipsoid:
+    case Kind::solid_mesh:
+    case Kind::distance_field:
+    case Kind::particles:
+    case Kind::point:
+    case Kind::composite: return nullptr;
     case Kind::mesh: return with_margin(std::make_unique<BulletMesh>(solid));
     case Kind::height_field: return with_margin(std::make_unique<BulletField>(solid));
     case Kind::triangle:

@@ -53,7 +53,8 @@ std::optional<JudgedCell> judged(Query query, std::size_t count, const std::func
   for (std::size_t i = 0; i < most_tries * count && cell.cases.size() < count; ++i) {
     Pair pair = draw(i);
     Judge a = judge_of(pair.a), b = judge_of(pair.b);
-    const std::optional<Quad> truth = true_distance(a, pair.pose_a, b, pair.pose_b, query == Query::depth);
+    const std::optional<Quad> truth =
+        true_distance(a, oracle_pose(pair.pose_a), b, oracle_pose(pair.pose_b), query == Query::depth);
     const Quad least = quad(least_part * (bounding_radius(pair.a) + bounding_radius(pair.b)));
     const bool is_wanted = truth && (query == Query::depth ? *truth < -least : *truth > least);
     if (is_wanted) {

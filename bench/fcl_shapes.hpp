@@ -31,7 +31,8 @@ using FclGeometry = fcl::CollisionGeometry<double>;
     case Kind::cone: return std::make_unique<fcl::Cone<double>>(s[0], 2 * s[1]);
     case Kind::ellipsoid: return std::make_unique<fcl::Ellipsoid<double>>(s[0], s[1], s[2]);
     case Kind::plane: return std::make_unique<fcl::Halfspace<double>>(0, 0, 1, 0);
-    case Kind::mesh: {
+    case Kind::mesh:
+    case Kind::solid_mesh: {
       auto mesh = std::make_unique<fcl::BVHModel<fcl::OBBRSSd>>();
       std::vector<Eigen::Vector3d> vertices;
       for (const Point& p : solid.points) {
@@ -46,7 +47,11 @@ using FclGeometry = fcl::CollisionGeometry<double>;
       mesh->endModel();
       return mesh;
     }
-    case Kind::height_field: return nullptr;
+    case Kind::height_field:
+    case Kind::distance_field:
+    case Kind::particles:
+    case Kind::point:
+    case Kind::composite: return nullptr;
     case Kind::hull32:
     case Kind::hull200:
     case Kind::hull:

@@ -126,7 +126,12 @@ struct OdeConvex {
     case Kind::plane:
     case Kind::cone:
     case Kind::ellipsoid:
-    case Kind::triangle: return nullptr;
+    case Kind::triangle:
+    case Kind::solid_mesh:
+    case Kind::distance_field:
+    case Kind::particles:
+    case Kind::point:
+    case Kind::composite: return nullptr;
   }
   return nullptr;
 }

@@ -13,13 +13,15 @@
 namespace bench {
 
 // distance: of separated pairs. depth: signed distance of overlapping pairs. contacts: of both. cast: of separated
-// pairs, the share of the motion of b at the first touch, 1 without one.
-enum class Query : std::uint8_t { distance, depth, contacts, cast };
+// pairs, the share of the motion of b at the first touch, 1 without one. overlap: yes or no. ray: as a cast, of a point
+// that b stands for. impact: as a cast, of b that turns as well.
+enum class Query : std::uint8_t { distance, depth, contacts, cast, overlap, ray, impact };
 
 struct Case {
   std::size_t a = 0, b = 0;  // which of the solids
   Placement pose_a, pose_b;
-  Point motion{};  // of b, for casts
+  Point motion{};  // of b, for casts, rays and impacts
+  Point turn{};    // of b on that way, for impacts: axis times angle, in the world
 };
 
 struct Cell {
@@ -28,7 +30,7 @@ struct Cell {
 };
 
 struct Answer {
-  double distance = 0;       // signed; of contacts: of the deepest one; of a cast: the share
+  double distance = 0;       // signed; of contacts: of the deepest one; of a cast: the share; of an overlap: -1, else 1
   std::uint32_t points = 0;  // contacts that overlap; 1 for the other queries, 0 where the library gave up
 };
 

@@ -27,7 +27,24 @@ abut::Pose pose_of(const Placement& placement) {
   return {abut::Rotation::from({w, x, y, z}), {placement.position[0], placement.position[1], placement.position[2]}};
 }
 
+abut::AnyShape composite_of(const Solid& solid) {
+  const auto place = abut::find_kind("box");
+  std::vector<abut::PlacedShape> children;
+  for (const Point& p : solid.points) {
+    auto box = abut::make_shape(place.value(), solid.sizes, {}, {});
+    children.push_back({abut::ShapeHandle(std::move(box).value()), pose_of({p, {1, 0, 0, 0}})});
+  }
+  auto shape = abut::make_composite(children);
+  if (!shape) {
+    throw std::runtime_error(std::string(shape.error().message));
+  }
+  return std::move(shape).value();
+}
+
 abut::AnyShape shape_of(const Solid& solid) {
+  if (solid.kind == Kind::composite) {
+    return composite_of(solid);
+  }
   const auto place = abut::find_kind(abut_kind_name(solid));
   if (!place) {
     throw std::runtime_error("this build of abut lacks a shape of the benchmark");
@@ -134,6 +151,11 @@ class Abut final : public Contender {
 }  // namespace
 
 std::unique_ptr<Contender> make_abut(Query query, const Cell& cell, const AbutQuery& asked) {
+  // These take neither bounds nor algorithms.
+  if (query == Query::overlap || query == Query::ray || query == Query::impact) {
+    const bool is_default = asked.algorithm == ABUT_ALGORITHM_AUTO && asked.error_bound == 0;
+    return is_default ? make_abut_c(query, cell) : nullptr;
+  }
   auto contender = std::make_unique<Abut>(query, cell, asked);
   std::vector<Answer> answers(cell.cases.size());
   contender->answer(answers);

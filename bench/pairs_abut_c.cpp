@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <memory>
 #include <span>
@@ -30,7 +31,8 @@ class AbutC final : public Contender {
                        one.b,
                        abut_c_pose(one.pose_a),
                        abut_c_pose(one.pose_b),
-                       {one.motion[0], one.motion[1], one.motion[2]}});
+                       {one.motion[0], one.motion[1], one.motion[2]},
+                       {one.turn[0], one.turn[1], one.turn[2]}});
     }
     if (is_warm) {
       memories_.resize(jobs_.size());
@@ -46,9 +48,15 @@ class AbutC final : public Contender {
         pose_b.position.z -= sway[round_ % sway.size()];
       }
       abut_pair_memory* memory = memories_.empty() ? nullptr : &memories_[i];
-      answers[i] = query_ == Query::contacts ? contacts(job, pose_b, memory)
-                   : query_ == Query::cast   ? cast(job)
-                                             : distance(job, pose_b, memory);
+      switch (query_) {
+        case Query::distance:
+        case Query::depth: answers[i] = distance(job, pose_b, memory); break;
+        case Query::contacts: answers[i] = contacts(job, pose_b, memory); break;
+        case Query::cast: answers[i] = cast(job); break;
+        case Query::overlap: answers[i] = overlap(job); break;
+        case Query::ray: answers[i] = ray(job); break;
+        case Query::impact: answers[i] = impact(job); break;
+      }
     }
     ++round_;
   }
@@ -57,7 +65,7 @@ class AbutC final : public Contender {
   struct Job {
     std::size_t a, b;
     abut_pose pose_a, pose_b;
-    abut_vec3 motion;
+    abut_vec3 motion, turn;
   };
   static constexpr std::array sway{0.0, 5e-4, 1e-3, 5e-4};
 
@@ -76,6 +84,31 @@ class AbutC final : public Contender {
     const abut_status status = abut_pair_cast(a_[job.a].get(), &job.pose_a, &rest, b_[job.b].get(), &job.pose_b,
                                               &job.motion, nullptr, &hit, &found);
     return status == ABUT_OK ? Answer{found != 0 ? hit.fraction : 1, 1} : Answer{};
+  }
+  [[nodiscard]] Answer overlap(const Job& job) const {
+    std::uint32_t out = 0;
+    const abut_status status =
+        abut_pair_overlaps(a_[job.a].get(), &job.pose_a, b_[job.b].get(), &job.pose_b, nullptr, &out);
+    return status == ABUT_OK ? Answer{out != 0 ? -1.0 : 1.0, 1} : Answer{};
+  }
+  [[nodiscard]] Answer ray(const Job& job) const {
+    const double length = std::hypot(job.motion.x, job.motion.y, job.motion.z);
+    const abut_ray ray{job.pose_b.position, job.motion, length};
+    abut_ray_hit hit;
+    std::uint32_t found = 0;
+    const abut_status status = abut_shape_cast_ray(a_[job.a].get(), &job.pose_a, &ray, &hit, &found);
+    return status == ABUT_OK ? Answer{found != 0 ? hit.distance / length : 1, 1} : Answer{};
+  }
+  [[nodiscard]] Answer impact(const Job& job) const {
+    const abut_movement rest{};
+    abut_movement way{};
+    way.velocity = job.motion;
+    way.angular_velocity = job.turn;
+    abut_impact out;
+    const abut_status status = abut_pair_time_of_impact(a_[job.a].get(), &job.pose_a, &rest, b_[job.b].get(),
+                                                        &job.pose_b, &way, 1, nullptr, &out);
+    const bool is_answered = status == ABUT_OK && out.state != ABUT_IMPACT_UNDECIDED;
+    return is_answered ? Answer{out.upper, 1} : Answer{};
   }
   [[nodiscard]] Answer contacts(const Job& job, const abut_pose& pose_b, abut_pair_memory* memory) const {
     const abut_shape *a = a_[job.a].get(), *b = b_[job.b].get();
@@ -107,9 +140,10 @@ class AbutC final : public Contender {
 std::unique_ptr<Contender> make_abut_c(Query query, const Cell& cell) {
   return std::make_unique<AbutC>(query, cell, false);
 }
-// Depths and casts have no memory of their own.
+// Others have no memory of their own.
 std::unique_ptr<Contender> make_abut_c_warm(Query query, const Cell& cell) {
-  return query == Query::depth || query == Query::cast ? nullptr : std::make_unique<AbutC>(query, cell, true);
+  const bool is_remembered = query == Query::distance || query == Query::contacts;
+  return is_remembered ? std::make_unique<AbutC>(query, cell, true) : nullptr;
 }
 
 }  // namespace bench

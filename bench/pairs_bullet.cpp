@@ -20,7 +20,7 @@ namespace {
 struct Job {
   std::size_t a, b;
   btTransform pose_a, pose_b;
-  btVector3 motion;
+  btTransform end_b;
 };
 
 std::vector<Job> jobs_of(const Cell& cell) {
@@ -30,8 +30,13 @@ std::vector<Job> jobs_of(const Cell& cell) {
   std::vector<Job> jobs;
   for (const Case& one : cell.cases) {
     const btTransform pose_a = bullet_transform(one.pose_a);
+    Placement end = one.pose_b;
+    for (std::size_t i = 0; i < 3; ++i) {
+      end.position.at(i) += one.motion.at(i);
+    }
+    end.orientation = product(turn_by(one.turn), end.orientation);
     jobs.push_back({one.a, one.b, btTransform(pose_a.getBasis(), pose_a(middle)), bullet_transform(one.pose_b),
-                    to_bullet(one.motion)});
+                    bullet_transform(end)});
   }
   return jobs;
 }
@@ -81,10 +86,9 @@ class Cast final : public Contender {
       const Job& job = jobs_[i];
       btContinuousConvexCollision search(static_cast<const btConvexShape*>(shapes_b_[job.b].get()),
                                          static_cast<const btConvexShape*>(shapes_a_[job.a].get()), &simplex_, &depth_);
-      const btTransform end(job.pose_b.getBasis(), job.pose_b.getOrigin() + job.motion);
       btConvexCast::CastResult result;
       result.m_fraction = 1;
-      const bool is_hit = search.calcTimeOfImpact(job.pose_b, end, job.pose_a, job.pose_a, result);
+      const bool is_hit = search.calcTimeOfImpact(job.pose_b, job.end_b, job.pose_a, job.pose_a, result);
       answers[i] = {is_hit ? static_cast<double>(result.m_fraction) : 1, 1};
     }
   }
@@ -96,10 +100,42 @@ class Cast final : public Contender {
   btGjkEpaPenetrationDepthSolver depth_;
 };
 
+// What its world asks for rays, and for sweeps onto surfaces.
+class OfWorld final : public Contender {
+ public:
+  OfWorld(Query query, const Cell& cell)
+      : query_(query), jobs_(jobs_of(cell)), shapes_a_(shapes_of(cell.solids_a)), shapes_b_(shapes_of(cell.solids_b)) {}
+
+  void answer(std::span<Answer> answers) override {
+    for (std::size_t i = 0; i < jobs_.size(); ++i) {
+      const Job& job = jobs_[i];
+      const btVector3 &from = job.pose_b.getOrigin(), &to = job.end_b.getOrigin();
+      const btCollisionShape* shape = shapes_a_[job.a].get();
+      object_.setWorldTransform(job.pose_a);
+      if (query_ == Query::ray) {
+        btCollisionWorld::ClosestRayResultCallback hit(from, to);
+        btCollisionWorld::rayTestSingle(job.pose_b, job.end_b, &object_, shape, job.pose_a, hit);
+        answers[i] = {static_cast<double>(hit.m_closestHitFraction), 1};
+      } else {
+        btCollisionWorld::ClosestConvexResultCallback hit(from, to);
+        btCollisionWorld::objectQuerySingle(static_cast<const btConvexShape*>(shapes_b_[job.b].get()), job.pose_b,
+                                            job.end_b, &object_, shape, job.pose_a, hit, 0);
+        answers[i] = {static_cast<double>(hit.m_closestHitFraction), 1};
+      }
+    }
+  }
+
+ private:
+  Query query_;
+  std::vector<Job> jobs_;
+  std::vector<std::unique_ptr<btCollisionShape>> shapes_a_, shapes_b_;
+  btCollisionObject object_;
+};
+
 class Contacts final : public Contender {
  public:
-  explicit Contacts(const Cell& cell)
-      : jobs_(jobs_of(cell)), shapes_a_(shapes_of(cell.solids_a)), shapes_b_(shapes_of(cell.solids_b)) {
+  Contacts(Query query, const Cell& cell)
+      : query_(query), jobs_(jobs_of(cell)), shapes_a_(shapes_of(cell.solids_a)), shapes_b_(shapes_of(cell.solids_b)) {
     object_a_.setCollisionShape(shapes_a_.front().get());
     object_b_.setCollisionShape(shapes_b_.front().get());
     const btCollisionObjectWrapper a(nullptr, object_a_.getCollisionShape(), &object_a_, object_a_.getWorldTransform(),
@@ -137,11 +173,12 @@ class Contacts final : public Contender {
           ++found.points;
         }
       }
-      answers[i] = found;
+      answers[i] = query_ == Query::contacts ? found : Answer{found.points > 0 ? -1.0 : 1.0, 1};
     }
   }
 
  private:
+  Query query_;
   std::vector<Job> jobs_;
   std::vector<std::unique_ptr<btCollisionShape>> shapes_a_, shapes_b_;
   btDefaultCollisionConfiguration configuration_;
@@ -158,17 +195,21 @@ std::unique_ptr<Contender> make_bullet(Query query, const Cell& cell) {
   const auto has = [&cell](Kind kind) {
     return cell.solids_a.front().kind == kind || cell.solids_b.front().kind == kind;
   };
-  if (has(Kind::ellipsoid)) {
+  if (has(Kind::ellipsoid) || has(Kind::solid_mesh) || has(Kind::distance_field) || has(Kind::particles) ||
+      has(Kind::composite)) {
     return nullptr;
   }
-  if (query == Query::contacts) {
-    return std::make_unique<Contacts>(cell);
+  if (query == Query::contacts || query == Query::overlap) {
+    return std::make_unique<Contacts>(query, cell);
   }
-  // The closest-point query is one of convex shapes, which Bullet's plane is not.
-  if (has(Kind::plane)) {
+  const bool is_convex = is_bounded_and_convex(cell.solids_a.front().kind);
+  if (query == Query::ray || (query == Query::cast && !is_convex)) {
+    return std::make_unique<OfWorld>(query, cell);
+  }
+  if (!is_convex) {
     return nullptr;
   }
-  if (query == Query::cast) {
+  if (query == Query::cast || query == Query::impact) {
     return std::make_unique<Cast>(cell);
   }
   return std::make_unique<Distance>(cell);

@@ -63,7 +63,12 @@ Point local_support(const Solid& solid, const Point& d) {
     }
     case Kind::plane:
     case Kind::mesh:
-    case Kind::height_field: return {};
+    case Kind::height_field:
+    case Kind::solid_mesh:
+    case Kind::distance_field:
+    case Kind::particles:
+    case Kind::point:
+    case Kind::composite: return {};
     case Kind::hull32:
     case Kind::hull200:
     case Kind::hull:
@@ -97,12 +102,19 @@ void centre(const void* object, ccd_vec3_t* out) {
   ccdVec3Set(out, p[0], p[1], p[2]);
 }
 
+using Intersect = int (*)(const void*, const void*, const ccd_t*);
 using Penetration = int (*)(const void*, const void*, const ccd_t*, ccd_real_t*, ccd_vec3_t*, ccd_vec3_t*);
+
+struct Search {
+  Intersect intersect;
+  Penetration penetration;
+};
 
 class Libccd final : public Contender {
  public:
-  Libccd(Penetration penetration, const Cell& cell)
-      : penetration_(penetration),
+  Libccd(const Search& search, Query query, const Cell& cell)
+      : search_(search),
+        query_(query),
         solids_a_(cell.solids_a.begin(), cell.solids_a.end()),
         solids_b_(cell.solids_b.begin(), cell.solids_b.end()) {
     for (const Case& one : cell.cases) {
@@ -118,9 +130,13 @@ class Libccd final : public Contender {
 
   void answer(std::span<Answer> answers) override {
     for (std::size_t i = 0; i < jobs_.size(); ++i) {
+      if (query_ == Query::overlap) {
+        answers[i] = {search_.intersect(&jobs_[i].a, &jobs_[i].b, &settings_) != 0 ? -1.0 : 1.0, 1};
+        continue;
+      }
       ccd_real_t depth = 0;
       ccd_vec3_t direction{}, position{};
-      const bool found = penetration_(&jobs_[i].a, &jobs_[i].b, &settings_, &depth, &direction, &position) == 0;
+      const bool found = search_.penetration(&jobs_[i].a, &jobs_[i].b, &settings_, &depth, &direction, &position) == 0;
       answers[i] = found ? Answer{-depth, 1} : Answer{};
     }
   }
@@ -130,27 +146,29 @@ class Libccd final : public Contender {
     Body a, b;
   };
 
-  Penetration penetration_;
+  Search search_;
+  Query query_;
   std::vector<Solid> solids_a_, solids_b_;
   std::vector<Job> jobs_;
   ccd_t settings_{};
 };
 
-std::unique_ptr<Contender> make_libccd(Penetration penetration, Query query, const Cell& cell) {
-  const bool has_plane = cell.solids_a.front().kind == Kind::plane || cell.solids_b.front().kind == Kind::plane;
-  if (query == Query::distance || query == Query::cast || has_plane || is_surface(cell.solids_a.front().kind)) {
+std::unique_ptr<Contender> make_libccd(const Search& search, Query query, const Cell& cell) {
+  const bool is_asked = query == Query::depth || query == Query::contacts || query == Query::overlap;
+  if (!is_asked || !is_bounded_and_convex(cell.solids_a.front().kind) ||
+      !is_bounded_and_convex(cell.solids_b.front().kind)) {
     return nullptr;
   }
-  return std::make_unique<Libccd>(penetration, cell);
+  return std::make_unique<Libccd>(search, query, cell);
 }
 
 }  // namespace
 
 std::unique_ptr<Contender> make_libccd_gjk(Query query, const Cell& cell) {
-  return make_libccd(ccdGJKPenetration, query, cell);
+  return make_libccd({ccdGJKIntersect, ccdGJKPenetration}, query, cell);
 }
 std::unique_ptr<Contender> make_libccd_mpr(Query query, const Cell& cell) {
-  return make_libccd(ccdMPRPenetration, query, cell);
+  return make_libccd({ccdMPRIntersect, ccdMPRPenetration}, query, cell);
 }
 
 }  // namespace bench

@@ -61,11 +61,13 @@ Case random_case(std::span<const Solid> solids_a, std::span<const Solid> solids_
   return one;
 }
 
-void give_motion(Case& one, double reach, Random& random) {
+void give_motion(Case& one, double reach, Random& random) { give_motion(one, one.pose_a.position, reach, random); }
+
+void give_motion(Case& one, const Point& aim, double reach, Random& random) {
   const Point aside = random.direction();
   const double way = random.uniform(1, 2), miss = random.uniform(0, 0.7) * reach;
   for (std::size_t i = 0; i < 3; ++i) {
-    one.motion[i] = way * (one.pose_a.position[i] - one.pose_b.position[i]) + miss * aside[i];
+    one.motion[i] = way * (aim[i] - one.pose_b.position[i]) + miss * aside[i];
   }
 }
 

@@ -21,6 +21,13 @@ using Quaternion = std::array<double, 4>;  // scalar first
           p[0] * q[2] - p[1] * q[3] + p[2] * q[0] + p[3] * q[1], p[0] * q[3] + p[1] * q[2] - p[2] * q[1] + p[3] * q[0]};
 }
 
+// By the axis times the angle.
+[[nodiscard]] inline Quaternion turn_by(const Point& turn) {
+  const double angle = std::hypot(turn[0], turn[1], turn[2]);
+  const double share = angle > 0 ? std::sin(angle / 2) / angle : 0.5;
+  return {std::cos(angle / 2), share * turn[0], share * turn[1], share * turn[2]};
+}
+
 enum class Kind : std::uint8_t {
   sphere,
   box,
@@ -34,13 +41,19 @@ enum class Kind : std::uint8_t {
   hull,
   triangle,
   mesh,
-  height_field
+  height_field,
+  solid_mesh,
+  distance_field,
+  particles,
+  composite,
+  point
 };
 
 [[nodiscard]] constexpr std::string_view kind_name(Kind kind) {
-  constexpr std::array<std::string_view, 13> names{"sphere",   "box",      "capsule",     "plane",     "hull32",
-                                                   "hull200",  "cylinder", "cone",        "ellipsoid", "hull",
-                                                   "triangle", "mesh",     "height_field"};
+  constexpr std::array<std::string_view, 18> names{
+      "sphere",       "box",        "capsule",        "plane",     "hull32",    "hull200",
+      "cylinder",     "cone",       "ellipsoid",      "hull",      "triangle",  "mesh",
+      "height_field", "solid_mesh", "distance_field", "particles", "composite", "point"};
   return names[static_cast<std::size_t>(kind)];
 }
 [[nodiscard]] constexpr bool is_hull(Kind kind) {
@@ -49,11 +62,26 @@ enum class Kind : std::uint8_t {
 
 [[nodiscard]] constexpr bool is_surface(Kind kind) { return kind == Kind::mesh || kind == Kind::height_field; }
 
+[[nodiscard]] constexpr bool is_mesh(Kind kind) { return kind == Kind::mesh || kind == Kind::solid_mesh; }
+
+// Ground whose size says nothing about the pair.
+[[nodiscard]] constexpr bool is_endless(Kind kind) {
+  return kind == Kind::plane || is_surface(kind) || kind == Kind::distance_field;
+}
+
+// What peers of convex solids cannot be asked about.
+[[nodiscard]] constexpr bool is_bounded_and_convex(Kind kind) {
+  return kind != Kind::plane && !is_surface(kind) && kind != Kind::solid_mesh && kind != Kind::distance_field &&
+         kind != Kind::particles && kind != Kind::composite;
+}
+
 // Sphere: radius. Box: half extents. Capsule, cylinder, cone: radius and half height, along z, the apex of the
 // cone above. Ellipsoid: radii. Plane: the half-space below z = 0. Triangle: its corners. Hull: its vertices and
 // its surface, counter-clockwise seen from outside; hull32 and hull200 are made of so many points, hull of any. Mesh
 // and height field: a square terrain. Sizes: samples of a side, and the spacing. The corner of the samples is the
-// origin.
+// origin. Solid mesh: a closed surface with its inside. Distance field: the half-space below z = 0 as far as its
+// samples go; sizes: samples of a side, and the spacing; the middle of its square is the origin. Particles: balls of
+// one radius. Composite: boxes of the same half extents, at the points.
 struct Solid {
   Kind kind = Kind::sphere;
   Point sizes{};
@@ -104,7 +132,7 @@ class Random {
       solid.points.push_back(
           {radius * axes[0] * direction[0], radius * axes[1] * direction[1], radius * axes[2] * direction[2]});
     }
-  } else {
+  } else if (kind != Kind::point) {
     solid.sizes = {random.uniform(0.3, 0.7), random.uniform(0.3, 0.7), random.uniform(0.3, 0.7)};
   }
   return solid;
@@ -143,9 +171,14 @@ class Random {
     case Kind::cylinder:
     case Kind::cone: return std::hypot(solid.sizes[0], solid.sizes[1]);
     case Kind::ellipsoid: return std::fmax(solid.sizes[0], std::fmax(solid.sizes[1], solid.sizes[2]));
-    case Kind::plane: return 0;
+    case Kind::plane:
+    case Kind::point: return 0;
     case Kind::mesh:
-    case Kind::height_field: return solid.sizes[0] * solid.sizes[1];
+    case Kind::height_field:
+    case Kind::distance_field: return solid.sizes[0] * solid.sizes[1];
+    case Kind::particles: square = solid.sizes[0] * solid.sizes[0]; break;
+    case Kind::solid_mesh:
+    case Kind::composite:
     case Kind::hull32:
     case Kind::hull200:
     case Kind::hull:

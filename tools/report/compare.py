@@ -11,10 +11,12 @@ LESS_EXACT = 4.0
 LEAST_ERROR = 1e-14  # below it errors are rounding
 
 _KEYS = {"accuracy": ("question", "condition", "pair", "contender"), "extremes": ("map", "question", "x", "y", "contender"),
-         "response": ("trial", "contender", "effort"), "steadiness": ("ground", "body", "motion", "jitter"), "builds": ("name",)}
-_TIMES = {"accuracy": "nanoseconds", "response": "milliseconds", "steadiness": "microseconds", "builds": "step_microseconds"}
+         "response": ("trial", "contender", "effort"), "steadiness": ("ground", "body", "motion", "jitter"), "universe": ("scene", "contender"),
+         "builds": ("name",)}
+_TIMES = {"accuracy": "nanoseconds", "response": "milliseconds", "steadiness": "microseconds", "universe": "milliseconds",
+          "builds": "step_microseconds"}
 _ERRORS = {"accuracy": ("worst",), "extremes": ("worst",), "response": ("error",),
-           "steadiness": ("lost", "flicker", "churn", "lean", "drift"), "builds": ("bytes", "resident_bytes")}
+           "universe": (), "steadiness": ("lost", "flicker", "churn", "lean", "drift"), "builds": ("bytes", "resident_bytes")}
 
 
 def _by_key(part, name):

@@ -12,11 +12,12 @@ _WORDS = {_NUMBER: "a number", _TEXT: "a text", _LIST: "a list", _OBJECT: "an ob
 # The members that rows have, by the part of the document; more are allowed.
 _ACCURACY = {"question": _TEXT, "contender": _TEXT, "nanoseconds": _NUMBER, "cases": _NUMBER, "failures": _OBJECT}
 ROWS = {
-    "accuracy": _ACCURACY | {"condition": _TEXT, "pair": _TEXT, "worst_pair": _NUMBER},
+    "accuracy": _ACCURACY | {"condition": _TEXT, "pair": _TEXT},
     "extremes": _ACCURACY | {"map": _TEXT, "x": _NUMBER},
     "response": {"trial": _TEXT, "error_is": _TEXT, "contender": _TEXT, "effort": _TEXT, "milliseconds": _NUMBER, "course": _LIST},
     "steadiness": {"ground": _TEXT, "body": _TEXT, "motion": _TEXT, "jitter": _TEXT, "lost": _NUMBER, "flicker": _NUMBER,
                    "churn": _NUMBER, "lean": _NUMBER, "drift": _NUMBER, "microseconds": _NUMBER},
+    "universe": {"scene": _TEXT, "contender": _TEXT, "milliseconds": _NUMBER},
     "builds": {"name": _TEXT, "bytes": _NUMBER, "stripped_bytes": _NUMBER, "start_milliseconds": _NUMBER,
                "resident_bytes": _NUMBER, "step_microseconds": _NUMBER, "libraries": _LIST}}
 _MAP_ROW = {"x": _NUMBER, "y": _NUMBER, "contender": _TEXT}

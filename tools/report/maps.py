@@ -69,6 +69,12 @@ def draw(title, rows, x_name, y_name, lowest=LOWEST, highest=0):
     return chart.svg(figure, f"{title}: worst error over {x_name} and {y_name}; failures in {bad} of {len(rows)} places")
 
 
+def place(row):
+    """Such as "size ratio 10⁶, aspect 10³" in words."""
+    x_name, y_name = X_NAMES.get(row["map"], ("x", "y"))
+    return f"{x_name} {_label(row['x'])}, {y_name} {_label(row['y'])}".replace(",  ", ", ")
+
+
 def _letters(row):
     return "".join(letter for name, (letter, _) in words.FAILURES.items() if row["failures"].get(name))
 
@@ -101,6 +107,14 @@ def extremes(document, book):
         yield {"id": "map-" + name.replace(" ", "-"), "title": f"Extremes: {name}", "figures": figures, "keys": [],
                "tables": [{"head": ["contender", "question", "worst error", "cases", "failed", "time, median of places"], "rows": table}],
                "text": ["A number in a place is the power of ten of its worst error by the size; letters name what failed there."]}
+
+
+def summary(document):
+    """The maps of a condensed report: one row for each."""
+    head = ["map", "question", "contender", "worst error", "at", "places that failed", "first failure"]
+    table = [[row["map"], row["question"], row["contender"], words.error(row["worst"]), row["worst_at"],
+              f"{row['places_failed']} of {row['places']}", row["first_failure"] or "-"] for row in document["extremes_by_map"]]
+    yield {"id": "maps", "title": "Extremes", "figures": [], "keys": [], "tables": [{"head": head, "rows": table}], "text": []}
 
 
 def response(document):

@@ -11,6 +11,7 @@ import maps
 import moving
 import pairs
 import steady
+import steps
 import words
 import work
 
@@ -20,6 +21,8 @@ def sections(document, book):
     if "accuracy" in document:
         yield from work.sections(document, book)
         yield from work.promises(document)
+    if "extremes_by_map" in document:
+        yield from maps.summary(document)
     if "extremes" in document:
         yield from maps.extremes(document, book)
     if "response" in document:
@@ -28,6 +31,8 @@ def sections(document, book):
         yield from maps.response(document)
     if "steadiness" in document:
         yield from steady.sections(document)
+    if "universe" in document:
+        yield from steps.sections(document)
     if "builds" in document:
         yield from builds.sections(document)
 

@@ -2,7 +2,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """Measures abut beside its peers and writes a page about it.
 
-usage: report.py [--quick] [--only PART]... [--build FOLDER] [--lean FOLDER]... [--from FILE] [--compare FILE] [--out FOLDER]
+usage: report.py [--quick] [--only PART]... [--build FOLDER] [--lean FOLDER]... [--from FILE] [--compare FILE] [--publish]
+       [--out FOLDER]
 """
 
 import argparse
@@ -11,18 +12,21 @@ import sys
 from pathlib import Path
 
 import compare
+import condense
 import document
 import page
+import publish
 
 
 def arguments():
     parser = argparse.ArgumentParser(description="Measures abut beside its peers; writes report.json and index.html.")
     parser.add_argument("--quick", action="store_true", help="few cases and short runs, at most 3 minutes")
-    parser.add_argument("--only", action="append", metavar="PART", help="accuracy, extremes, response, response_maps, steadiness or builds")
+    parser.add_argument("--only", action="append", metavar="PART", help="accuracy, extremes, response, response_maps, steadiness, universe or builds")
     parser.add_argument("--build", type=Path, help="the build whose programs run")
     parser.add_argument("--lean", type=Path, action="append", default=[], metavar="FOLDER", help="another build, to be weighed beside")
     parser.add_argument("--from", dest="source", type=Path, metavar="FILE", help="draws a report.json; measures nothing")
     parser.add_argument("--compare", type=Path, metavar="FILE", help="prints what got slower or less exact since that report.json")
+    parser.add_argument("--publish", action="store_true", help="writes the tables of the documents, and docs/report/report.json")
     parser.add_argument("--out", type=Path, help="where index.html and report.json go")
     return parser.parse_args()
 
@@ -31,7 +35,7 @@ def measured(its):
     import builds_measure
     import measure
 
-    parts = [*measure.PROGRAMS, "builds"]
+    parts = [*measure.PROGRAMS, "universe", "builds"]
     for name in its.only or []:
         if name not in parts:
             raise document.Wrong(f"--only is {name}; there are: {', '.join(parts)}")
@@ -52,7 +56,10 @@ def main():
         (out / "report.json").write_text(json.dumps(report) + "\n", encoding="utf-8")
     (out / "index.html").write_text(page.render(report), encoding="utf-8")
     print(out / "index.html")
+    if its.publish:
+        publish.write(condense.condensed(report))
     if old:
+        report = condense.condensed(report) if old.get("condensed") and not report.get("condensed") else report
         lines = list(compare.differences(old, report))
         print("\n".join(lines) if lines else "nothing got slower or less exact beyond noise")
         return 1 if lines else 0

@@ -9,9 +9,13 @@ import words
 
 CLASSES = {"sphere": "round", "capsule": "round", "box": "polytope", "hull32": "polytope", "hull200": "polytope",
            "cylinder": "curved", "cone": "curved", "ellipsoid": "curved"}
+# What bodies of all these classes are asked on or in.
+WHOLES = {"plane": "plane", "mesh": "surface: mesh", "height_field": "surface: height field", "solid_mesh": "solid mesh",
+          "distance_field": "distance field", "particles": "particles", "composite": "composite"}
 ORDER = ("round", "polytope", "curved")
 QUESTIONS = {"distance": "distance of pairs that are apart", "depth": "depth of pairs that overlap",
-             "contacts": "depth of the deepest contact", "cast": "share of a motion at the first touch"}
+             "contacts": "depth of the deepest contact", "overlap": "whether two overlap, yes or no", "cast": "share of a motion at the first touch",
+             "ray": "share of a ray at the first hit", "impact": "time of impact of bodies that turn"}
 CONDITIONS = {"ordinary": "ordinary", "thin": "needles and plates, aspect 1e6", "size_ratio": "size ratio 1e9",
               "far": "1e9 sizes from the origin", "parallel": "parallel to 1e-3 ... 1e-12 rad",
               "touching": "gap or depth 1e-3 ... 1e-12 of the size"}
@@ -19,7 +23,10 @@ FLOOR = 1e-18  # errors below it, 0 among them, are drawn there
 
 
 def class_of(pair):
-    """Such as "round and polytope" of "box-sphere"."""
+    """Such as "round and polytope" of "box-sphere"; of a ray against one kind its class; of ground that of the ground."""
+    first = pair.split("-")[0]
+    if first in WHOLES:
+        return WHOLES[first]
     classes = sorted((CLASSES.get(kind, kind) for kind in pair.split("-")), key=lambda name: (ORDER + (name,)).index(name))
     return " and ".join(classes)
 
@@ -102,17 +109,24 @@ def _one(title, rows, book):
     return {"svg": _panel(title, points, book), "table": _table(points, book), "caption": title}
 
 
+def panels(rows):
+    """Rows by question and panel: ordinary pairs by their classes, then hard conditions."""
+    def name_of(row):
+        return row["question"], class_of(row["pair"]) if row["condition"] == "ordinary" else row["condition"]
+
+    order = {question: i for i, question in enumerate(QUESTIONS)}
+    return grouped(sorted(rows, key=lambda row: (order.get(row["question"], len(order)), row["condition"] != "ordinary")), name_of)
+
+
 def sections(document, book):
     rows = document["accuracy"]["rows"]
+    every = panels(rows)
     contenders = list(dict.fromkeys(row["contender"] for row in rows))
     for question, what in QUESTIONS.items():
         of_question = [row for row in rows if row["question"] == question]
         if not of_question:
             continue
-        ordinary = grouped([row for row in of_question if row["condition"] == "ordinary"], lambda row: class_of(row["pair"]))
-        hard = grouped(of_question, lambda row: row["condition"])
-        figures = [_one(name, group, book) for name, group in ordinary.items()]
-        figures += [_one(CONDITIONS.get(name, name), group, book) for name, group in hard.items() if name != "ordinary"]
+        figures = [_one(CONDITIONS.get(name, name), group, book) for (its, name), group in every.items() if its == question]
         yield {"id": f"work-{question}", "title": f"Error over time: {what}", "figures": figures,
                "keys": [name for name in contenders if any(row["contender"] == name for row in of_question)],
                "text": ["Ordinary pairs by their classes first, then hard conditions with all pairs together. Left is faster, lower is more "
@@ -120,20 +134,27 @@ def sections(document, book):
                         "median to the worst. It is hollow where more than one answer in a hundred failed. It leads to the pair that was worst."]}
 
 
-def promises(document):
-    """Of each error bound that abut was asked for: the worst error as a part of it, by class of pair."""
-    rows = [row for row in document["accuracy"]["rows"] if row["contender"].startswith("abut 1e-") and row["question"] != "cast"]
-    head = ["question", "bound asked", "worst error / bound", "time", "failed", "beyond the bound", "outside of its interval"]
-    table = []
+def promise_rows(document):
+    """Of each error bound that convex pairs were asked for: the worst error as a part of it, and promises that were broken."""
+    rows = [row for row in document["accuracy"]["rows"] if row["contender"].startswith("abut 1e-") and "broken" in row
+            and row["pair"].split("-")[0] not in WHOLES]
+    found = []
     for (question, contender), group in grouped(rows, lambda row: (row["question"], row["contender"])).items():
         bound = float(contender.split()[1])
         worst = max((row.get("worst") or 0 for row in group), default=0)
-        broken = [row["broken"] for row in group if "broken" in row]
-        sums = [str(sum(one[name] for one in broken)) if broken else "-" for name in ("beyond", "outside")]
-        table.append([question, words.error(bound), f"{worst / bound:.2g}", words.time(together(group)["nanoseconds"]),
-                      str(sum(words.failed(row) for row in group)), *sums])
+        found.append({"question": question, "bound": bound, "worst_by_bound": worst / bound, "nanoseconds": together(group)["nanoseconds"],
+                      "failed": sum(words.failed(row) for row in group)}
+                     | {name: sum(row["broken"][name] for row in group) for name in ("beyond", "outside")})
+    return found
+
+
+def promises(document):
+    rows = document.get("promises") or promise_rows(document)
+    head = ["question", "bound asked", "worst error / bound", "time", "failed", "beyond the bound", "outside of its interval"]
+    table = [[row["question"], words.error(row["bound"]), f"{row['worst_by_bound']:.2g}", words.time(row["nanoseconds"]),
+              str(row["failed"]), str(row["beyond"]), str(row["outside"])] for row in rows]
     if table:
         yield {"id": "promises", "title": "What error bounds cost, and whether they are kept", "figures": [], "keys": [],
                "tables": [{"head": head, "rows": table}],
-               "text": ["Over all conditions and pairs. The worst error may exceed a narrow bound by the rounding of the coordinates, which "
-                        "the columns to the right leave out."]}
+               "text": ["Over all conditions and pairs of convex shapes. The worst error may exceed a narrow bound by the rounding of the "
+                        "coordinates, which the columns to the right leave out."]}
