@@ -44,9 +44,9 @@ class Judge {
 [[nodiscard]] oracle::Quad true_cast(const Judge& a, const oracle::Pose& at_a, const Judge& b, oracle::Pose at_b,
                                      const Point& motion);
 
-// The same of b that turns as well, from its distances on the way: each step is one in which no point of b, all within
-// the reach of its origin, can go as far, or close to the touch most of the way that the last two tell. Nothing where
-// that does not end. `distance_at` has nothing where the cores touch.
+// The same of b that turns as well, from its distances on the way. No point of b, all within the reach of its origin,
+// can go as far in one step. Close to the touch a step is most of the way to where the line through the last two ends.
+// Nothing where that does not end. `distance_at` has nothing where the cores touch.
 using DistanceAt = std::function<std::optional<oracle::Quad>(const oracle::Pose& at_b)>;
 [[nodiscard]] std::optional<oracle::Quad> true_impact(const DistanceAt& distance_at, const oracle::Pose& from,
                                                       const Point& motion, const Point& turn, double reach);

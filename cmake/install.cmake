@@ -88,6 +88,8 @@ if(TARGET abut_cli)
   abut_find_libraries_in(abut_cli "$ORIGIN/../${CMAKE_INSTALL_LIBDIR}")
   install(TARGETS abut_cli RUNTIME COMPONENT tools)
   set(abut_texts $<TARGET_FILE_DIR:abut_cli>)
+  install(DIRECTORY ${PROJECT_SOURCE_DIR}/tools/report DESTINATION ${CMAKE_INSTALL_DATADIR}/abut COMPONENT tools
+          PATTERN __pycache__ EXCLUDE)
   install(FILES ${abut_texts}/abut.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 COMPONENT tools)
   install(FILES ${abut_texts}/abut.bash DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions RENAME abut COMPONENT tools)
   install(FILES ${abut_texts}/_abut DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/site-functions COMPONENT tools)

@@ -34,6 +34,7 @@ def document():
         "steadiness": {"steps": 10, "dt": 1e-3, "rows": [
             {"ground": "plane", "body": "ball", "motion": "resting", "jitter": jitter, "lost": 0, "flicker": 0.1, "churn": 0, "lean": 0,
              "drift": 1e-9, "microseconds": 20.0} for jitter in ("0", "1 ulp")]},
+        "universe": {"rows": [{"scene": "pile", "contender": name, "milliseconds": 6.0 + i} for i, name in enumerate(("abut", "bullet"))]},
         "builds": {"rows": [{"name": "release", "shapes": "all", "features": "hull", "bytes": 7000000, "stripped_bytes": 5000000,
                              "start_milliseconds": 1.5, "resident_bytes": 9000000, "step_microseconds": 900.0,
                              "libraries": ["libccd.so.2"]}]}}

@@ -4,6 +4,7 @@
 
 import copy
 import json
+import platform
 import re
 import subprocess
 import sys
@@ -16,10 +17,13 @@ ROOT = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "tools" / "report"))
 
 import compare  # noqa: E402
+import condense  # noqa: E402
 import document  # noqa: E402
 import maps  # noqa: E402
 import page  # noqa: E402
 import pairs  # noqa: E402
+import publish  # noqa: E402
+import questions  # noqa: E402
 import sample  # noqa: E402
 import words  # noqa: E402
 import work  # noqa: E402
@@ -81,7 +85,7 @@ class Page(unittest.TestCase):
         self.assertNotIn("<script", self.html)
 
     def test_every_part_has_a_section(self):
-        for name in ("work-distance", "promises", "map-size-ratio-and-aspect", "moving", "stiff-spring", "steady", "builds", "pairs"):
+        for name in ("work-distance", "promises", "map-size-ratio-and-aspect", "moving", "stiff-spring", "steady", "universe", "builds", "pairs"):
             self.assertIn(name, self.its.ids)
 
     def test_text_is_escaped_everywhere(self):
@@ -215,6 +219,69 @@ class Comparison(unittest.TestCase):
 
     def test_larger_builds_are_told(self):
         self.assertEqual(len(self.changed(lambda its: its["builds"]["rows"][0].update(bytes=8000000))), 1)
+
+
+class Published(unittest.TestCase):
+    """docs/report/report.json and the tables that are written from it."""
+
+    @classmethod
+    def setUpClass(cls):
+        cls.report = document.read(publish.COMMITTED)
+
+    def test_tables_of_documents_are_those_of_the_committed_report(self):
+        self.assertEqual(publish.stale(), [], "scripts/report --from docs/report/report.json --publish writes them")
+
+    def test_the_committed_report_is_small_and_whole(self):
+        self.assertLess(publish.COMMITTED.stat().st_size, 300_000)
+        self.assertTrue(self.report["condensed"])
+        for name in ("processor", "compiler", "flags", "peers", "abut", "run", "load"):
+            self.assertIn(name, self.report["machine"])
+        self.assertNotIn(platform.node(), publish.COMMITTED.read_text(encoding="utf-8"))
+
+    def test_a_number_that_differs_is_seen(self):
+        for name in publish.PAGES:
+            text = (ROOT / name).read_text(encoding="utf-8")
+            start, end = text.index("<!-- report: "), text.index("<!-- report: end -->")
+            digit = re.compile(r"(?<=\| )\d").search(text, start, end)
+            changed = text[:digit.start()] + str(9 - int(digit[0])) + text[digit.end():]
+            self.assertEqual(publish.filled(changed, self.report, name), text)
+
+    def test_tables_without_a_name_are_refused(self):
+        with self.assertRaisesRegex(document.Wrong, "page.md has a table none; there are: .*speed"):
+            publish.filled("<!-- report: none -->\n<!-- report: end -->", self.report, "page.md")
+
+    def test_the_committed_report_is_drawn(self):
+        self.assertEqual(parsed(page.render(self.report)).open, [])
+
+
+class Condensed(unittest.TestCase):
+    def setUp(self):
+        self.report = condense.condensed(document.check(sample.document()))
+
+    def test_it_is_a_report(self):
+        its = parsed(page.render(document.check(self.report)))
+        for name in ("work-distance", "maps", "universe", "pairs"):
+            self.assertIn(name, its.ids)
+
+    def test_rows_are_the_marks_of_the_page(self):
+        rows = [row for row in self.report["accuracy"]["rows"] if row["contender"] == "abut"]
+        self.assertEqual([(row["condition"], row["pair"]) for row in rows],
+                         [("ordinary", "round and polytope"), ("ordinary", "round and round"), ("far", "far")])
+
+    def test_condensing_twice_changes_nothing(self):
+        again = condense.condensed(self.report)
+        for name in ("accuracy", "promises", "questions", "extremes_by_map", "steadiness_by_ground"):
+            self.assertEqual(again.get(name), self.report.get(name), name)
+
+    def test_failures_of_extremes_are_counted(self):
+        row = next(row for row in self.report["extremes_by_map"] if row["contender"] == "abut" and row["failures"])
+        self.assertEqual((row["failures"], row["places_failed"], row["places"]), ({"ended": 4}, 1, 4))
+
+    def test_an_answer_that_is_off_or_gives_fewer_contacts_is_another(self):
+        ours = sample.judged(points=4.0)
+        for other, expected in ((ours, False), (ours | {"points": 1.0}, True), (ours | {"p99": 0.1}, True),
+                                (ours | {"failures": sample.FAILURES | {"none": 1}}, True)):
+            self.assertEqual(questions._answer(other, ours)["is_other"], expected)
 
 
 class Program(unittest.TestCase):

@@ -79,6 +79,12 @@ void set(Arguments& arguments, const std::string& option, const std::string& val
     arguments.contacts = value;
   } else if (option == "--events") {
     arguments.events = value;
+  } else if (option == "--build") {
+    arguments.build = value;
+  } else if (option == "--compare") {
+    arguments.compare = value;
+  } else if (option == "--out") {
+    arguments.out = value;
   } else {
     set_view(arguments, option, value);
   }
@@ -86,6 +92,7 @@ void set(Arguments& arguments, const std::string& option, const std::string& val
 
 void set_flag(Arguments& arguments, const std::string& option) {
   arguments.json = arguments.json || option == "--json";
+  arguments.quick = arguments.quick || option == "--quick";
   arguments.quiet = arguments.quiet || option == "--quiet";
 }
 

@@ -27,6 +27,10 @@ struct Arguments {
   std::optional<abut_vec3> from;
   std::optional<abut_vec3> to;
   std::optional<abut_vec3> up;
+  std::string build;    // of a report: a folder; empty: that of the sources
+  std::string compare;  // empty: no other report
+  std::string out;      // empty: the folder that report.py chooses
+  bool quick = false;
   bool quiet = false;
   bool json = false;
 };

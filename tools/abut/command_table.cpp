@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::string_view stepping = "--steps --dt --threads --json";
 
-constexpr std::array<CommandRow, 13> rows{
+constexpr std::array<CommandRow, 14> rows{
     {{Command::run, "run", "SCENE", "steps a scene, writes contacts and events, prints counts and times",
       "--steps --dt --threads --contacts --events --quiet --json"},
      {Command::explain, "explain", "SCENE", "steps a scene, prints what the last step did and why", stepping},
@@ -25,13 +25,16 @@ constexpr std::array<CommandRow, 13> rows{
      {Command::picture, "picture", "SCENE PICTURE", "draws a scene and its contacts as a PNG",
       "--steps --dt --threads --size --from --to --up"},
      {Command::lean, "lean", "SCENE", "prints the line that configures the build a scene needs", "--json"},
+     {Command::report, "report", "[REPORT]",
+      "draws a report.json of errors and times as a page; without one, measures first",
+      "--quick --build --compare --out"},
      {Command::shapes, "shapes", "", "lists the kinds of shapes and their parameters", "--json"},
      {Command::completion, "completion", "SHELL", "prints completion for bash, zsh or fish", ""},
      {Command::manual, "manual", "", "prints the manual page, for man -l -", ""},
      {Command::help, "--help", "", "prints this text; after a command, what that command takes", ""},
      {Command::version, "--version", "", "prints the version", ""}}};
 
-constexpr std::array<OptionRow, 11> options{
+constexpr std::array<OptionRow, 15> options{
     {{"--steps", "N", "steps to run; without it those of the scene for run, 1 for all others"},
      {"--dt", "S", "time from step to step; without it that of the scene"},
      {"--threads", "N", "threads of a step, 0 for all; results are the same bits for any number"},
@@ -42,6 +45,10 @@ constexpr std::array<OptionRow, 11> options{
      {"--from", "X,Y,Z", "where the camera of a picture stands; without it so that all fits in"},
      {"--to", "X,Y,Z", "where it looks to; without it to the middle of the scene"},
      {"--up", "X,Y,Z", "what is up in the picture; without it 0,0,1"},
+     {"--quick", "", "measures few cases for a report, at most 3 minutes"},
+     {"--build", "FOLDER", "the build whose benchmarks a report runs; without it build/release of the sources"},
+     {"--compare", "FILE", "prints what got slower or less exact since this report.json"},
+     {"--out", "FOLDER", "where index.html and report.json of a report go; without it beside REPORT, or out/report"},
      {"--quiet", "", "neither progress nor the table at the end"},
      {"--json", "", "prints JSON; what goes to - is JSON as well"}}};
 
@@ -49,7 +56,7 @@ constexpr std::array<StatusRow, 6> statuses{{{"0", "done"},
                                              {"1", "the arguments or the scene are wrong"},
                                              {"2", "abut failed on a scene that it had taken, or memory ran out"},
                                              {"3", "a file or the standard output could not be written"},
-                                             {"4", "check found something odd"},
+                                             {"4", "check found something odd, or report something worse"},
                                              {"130", "a signal ended it; files are as they were before"}}};
 
 }  // namespace

@@ -18,6 +18,7 @@
 #include "output_file.hpp"
 #include "pairs.hpp"
 #include "picture.hpp"
+#include "report.hpp"
 
 namespace cli {
 namespace {
@@ -35,6 +36,7 @@ Status obey(const Arguments& arguments) {
     case Command::pairs: list_pairs(arguments); break;
     case Command::picture: draw_scene(arguments); break;
     case Command::lean: print_lean_build(arguments); break;
+    case Command::report: return report(arguments);
     case Command::completion: print(completion_for(arguments.operands[0])); break;
     case Command::manual: print(manual_page()); break;
   }

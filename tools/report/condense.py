@@ -83,6 +83,8 @@ def _steadiness(part):
 
 
 def condensed(document):
+    if document.get("condensed"):
+        return document
     result = {"version": document["version"], "condensed": True, "machine": document["machine"]}
     if "accuracy" in document:
         result["accuracy"] = _accuracy(document["accuracy"])

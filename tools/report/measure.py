@@ -46,12 +46,21 @@ def _from_cache(build, name):
     return next((line.split("=", 1)[1] for line in lines if line.startswith(name + ":")), "")
 
 
+def _flags(build):
+    """Those that change times and bits: of a file of the benchmarks."""
+    path = build / "compile_commands.json"
+    commands = json.loads(path.read_text(encoding="utf-8")) if path.exists() else []
+    words = next((one["command"].split() for one in commands if one["file"].endswith("bench/accuracy_rows.cpp")), [])
+    kept = ("-O", "-DNDEBUG", "-march", "-ffp-contract", "-fno-math-errno", "-ftrivial-auto-var-init=", "-fstack", "-fcf", "-flto", "-std")
+    return " ".join(dict.fromkeys(word for word in words if word.startswith(kept))) or "unknown"
+
+
 def machine(build, quick):
     packages = ("libbullet-dev", "libfcl-dev", "libode-dev", "libccd-dev")
     return {"date": time.strftime("%Y-%m-%d"), "processor": _processor(), "processors": os.cpu_count(),
             "system": f"{platform.system()} {platform.release()}",
             "compiler": _first_line(_from_cache(build, "CMAKE_CXX_COMPILER") or "clang++-19", "--version"),
-            "build": f"{_from_cache(build, 'CMAKE_BUILD_TYPE')}, {_from_cache(build, 'ABUT_ARCH') or 'x86-64-v3'}",
+            "build": _from_cache(build, "CMAKE_BUILD_TYPE") or "unknown", "flags": _flags(build),
             "abut": _first_line("git", "-C", str(ROOT), "describe", "--always", "--dirty"),
             "peers": ", ".join(f"{name[3:-4]} {_first_line('dpkg-query', '--show', '--showformat=${Version}', name)}" for name in packages),
             "run": "quick: few cases, short runs" if quick else "full"}

@@ -40,5 +40,5 @@ class Book:
             pair = part["pairs"][number]
             kinds = [part["shapes"][pair[side]]["kind"] for side in ("a", "b")]
             contenders = sorted({f"{row['contender']} ({row['question']})" for row in rows})
-            yield {"anchor": f"{name}-{number}", "kinds": " and ".join(kinds), "truth": pair["truth"], "motion": pair.get("motion"),
+            yield {"anchor": f"{name}-{number}", "kinds": " and ".join(kinds), "truth": pair["truth"], "motion": pair.get("motion"), "turn": pair.get("turn"),
                    "contenders": ", ".join(contenders), "command": command(part, number)}

@@ -116,6 +116,7 @@ def steadiness(report):
 
 BLOCKS = {function.__name__: function for function in (speed, times_and_errors, machine, worst_by_class, worst_by_condition, promises,
                                                       extremes, steadiness)}
+PARTS = ("accuracy", "promises", "extremes_by_map", "steadiness_by_ground", "universe", "questions")
 PAGES = ("README.md", "docs/benchmarks.md", "docs/numerics.md")
 
 
@@ -138,6 +139,9 @@ def stale(root=measure.ROOT):
 
 
 def write(report):
+    absent = [name for name in PARTS if name not in report]
+    if absent:
+        raise document.Wrong(f"the report lacks {', '.join(absent)}; expected one of all parts to be published")
     COMMITTED.parent.mkdir(parents=True, exist_ok=True)
     lines = ",\n".join(f"{json.dumps(name)}: {_lines(value)}" for name, value in report.items())
     COMMITTED.write_text("{" + lines + "}\n", encoding="utf-8")

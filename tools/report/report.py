@@ -11,11 +11,15 @@ import json
 import sys
 from pathlib import Path
 
-import compare
-import condense
-import document
-import page
-import publish
+try:
+    import compare
+    import condense
+    import document
+    import page
+    import publish
+except ImportError as missing:
+    print(f"report: {missing.name} is missing; Debian has python3-matplotlib and python3-jinja2", file=sys.stderr)
+    sys.exit(2)
 
 
 def arguments():
@@ -40,17 +44,25 @@ def measured(its):
         if name not in parts:
             raise document.Wrong(f"--only is {name}; there are: {', '.join(parts)}")
     build = its.build or measure.ROOT / "build" / "release"
+    if not (build / "bench").is_dir():
+        raise document.Wrong(f"{build} has no folder bench; expected a build with benchmarks, by --build, or a report.json that is drawn")
     report = measure.run(build, its.quick, its.only)
     if not its.only or "builds" in its.only:
         report["builds"] = {"rows": builds_measure.rows(build, its.lean)}
     return document.check(report)
 
 
+def _out_folder():
+    """That of the sources, or where the program is installed that of the caller."""
+    root = Path(__file__).resolve().parents[2]
+    return (root if (root / "CMakeLists.txt").exists() else Path.cwd()) / "out" / "report"
+
+
 def main():
     its = arguments()
     report = document.read(its.source) if its.source else measured(its)
     old = document.read(its.compare) if its.compare else None
-    out = its.out or (its.source.parent if its.source else Path(__file__).resolve().parents[2] / "out" / "report")
+    out = its.out or (its.source.parent if its.source else _out_folder())
     out.mkdir(parents=True, exist_ok=True)
     if not its.source:
         (out / "report.json").write_text(json.dumps(report) + "\n", encoding="utf-8")

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "report.hpp"
+
+#include <array>
+#include <cerrno>
+#include <cstdlib>
+#include <filesystem>
+#include <sstream>
+#include <string>
+#include <system_error>
+#include <vector>
+
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+namespace cli {
+namespace {
+
+// The exit status of a program that is run to its end.
+int status_of(const std::vector<std::string>& words) {
+  std::vector<std::string> copies = words;
+  std::vector<char*> argv;
+  for (std::string& word : copies) {
+    argv.push_back(word.data());
+  }
+  argv.push_back(nullptr);
+  pid_t child = 0;
+  if (const int error = posix_spawn(&child, argv.front(), nullptr, nullptr, argv.data(), environ); error != 0) {
+    throw BadInput(words.front() + " cannot be run: " + std::generic_category().message(error));
+  }
+  int status = 0;
+  while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
+  }
+  if (!WIFEXITED(status)) {
+    throw Failure("the report ended by a signal");
+  }
+  return WEXITSTATUS(status);
+}
+
+// The first Python in PATH that can draw. Others may come before that of the distribution, which has the packages.
+std::string drawing_python() {
+  const char* const given = std::getenv("PATH");
+  const std::string path = given == nullptr ? "" : given;
+  std::istringstream folders(path);
+  bool has_any = false;
+  for (std::string folder; std::getline(folders, folder, ':');) {
+    const std::string python = (std::filesystem::path(folder) / "python3").string();
+    if (access(python.c_str(), X_OK) != 0) {
+      continue;
+    }
+    has_any = true;
+    constexpr const char* tries =
+        "import importlib.util, sys\n"
+        "sys.exit(0 if all(importlib.util.find_spec(name) for name in ('jinja2', 'matplotlib')) else 1)";
+    if (status_of({python, "-c", tries}) == 0) {
+      return python;
+    }
+  }
+  throw BadInput(has_any ? "no python3 in PATH has Matplotlib and Jinja2, which draw the report; Debian has them in "
+                           "python3-matplotlib and python3-jinja2"
+                         : "the report needs python3, of which PATH, '" + path + "', has none");
+}
+
+std::filesystem::path drawing_program() {
+  std::error_code none;
+  const std::filesystem::path own = std::filesystem::read_symlink("/proc/self/exe", none);
+  const std::filesystem::path found = (own.parent_path() / ABUT_REPORT_FOLDER / "report.py").lexically_normal();
+  if (!std::filesystem::exists(found, none)) {
+    throw BadInput(found.string() + " is missing, which draws the report; it is installed with this program");
+  }
+  return found;
+}
+
+}  // namespace
+
+Status report(const Arguments& arguments) {
+  std::vector<std::string> words{drawing_python(), "-B", drawing_program().string()};
+  const auto add = [&words](const char* option, const std::string& value) {
+    if (!value.empty()) {
+      words.insert(words.end(), {option, value});
+    }
+  };
+  if (!arguments.operands.empty()) {
+    add("--from", arguments.operands.front());
+  }
+  if (arguments.quick) {
+    words.emplace_back("--quick");
+  }
+  add("--build", arguments.build);
+  add("--compare", arguments.compare);
+  add("--out", arguments.out);
+  switch (status_of(words)) {
+    case 0: return Status::done;
+    case 1: return Status::odd;
+    case 2: return Status::bad_input;  // told by the program itself
+    default: throw Failure("the report could not be drawn");
+  }
+}
+
+}  // namespace cli
