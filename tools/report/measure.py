@@ -17,8 +17,8 @@ ROOT = Path(__file__).resolve().parents[2]
 
 # part: (program, arguments of a full run, of a quick one)
 PROGRAMS = {
-    "accuracy": ("accuracy", ["--cases", "16", "--repetitions", "3"], ["--cases", "2", "--repetitions", "1", "--without", "hull200"]),
-    "extremes": ("extremes", ["--cases", "6"], ["--cases", "2", "--every", "3"]),
+    "accuracy": ("accuracy", ["--cases", "8", "--repetitions", "3"], ["--cases", "2", "--repetitions", "1", "--without", "hull200"]),
+    "extremes": ("extremes", ["--cases", "3"], ["--cases", "2", "--every", "3"]),
     "response": ("response", ["--seconds", "10"], ["--seconds", "1"]),
     "response_maps": ("response_maps", ["--seconds", "4"], ["--every", "2", "--seconds", "1"]),
     "steadiness": ("steadiness", ["--steps", "10000"], ["--steps", "200"])}
