@@ -257,15 +257,18 @@ std::optional<JudgedCell> PartScenes::make(Query query, Kind kind_a, Kind kind_b
     Judge& body = b.judges[one.b];
     const auto distance = [&](const oracle::Pose& at) { return whole.distance(at_a, body, at, reach, !is_on_way); };
     std::optional<Quad> truth = distance(oracle_pose(one.pose_b));
-    if (is_flat && is_inner && truth) {
-      // Down to a depth that is drawn.
-      const Vec n =
-          at_a.rotate(is_always_flat(kind_a) ? Vec{0, 0, 1} : oracle::unit({quad(-tilt_x), quad(-tilt_y), 1}));
+    const bool is_shallow = is_inner && is_endless(kind_a);
+    if (is_shallow && truth) {
+      // Down to a depth that is drawn, or about there on hills.
+      const Vec tilted = oracle::unit({quad(-tilt_x), quad(-tilt_y), 1});
+      const Vec n = at_a.rotate(!is_flat ? place.out : is_always_flat(kind_a) ? Vec{0, 0, 1} : tilted);
       const Vec down = n * (-*truth - quad(random.uniform(0.1, 1) * most_depth));
       one.pose_b.position = point_of(vec_of(one.pose_b.position) + down);
       truth = distance(oracle_pose(one.pose_b));
     }
-    if (!truth || oracle::absolute(*truth) < quad(least_gap)) {
+    // Deep in hills a body leaves all triangles together, by more than the depth in any of them.
+    const bool is_too_deep = truth && is_shallow && *truth < -quad(1.1 * most_depth);
+    if (!truth || is_too_deep || oracle::absolute(*truth) < quad(least_gap)) {
       continue;
     }
     if (query != Query::overlap && (*truth < 0) != is_inner) {
