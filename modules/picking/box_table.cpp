@@ -49,19 +49,31 @@ void BoxTable::erase(std::uint32_t slot) {
   if (slot / 4 < groups_.size()) groups_[slot / 4].x[slot % 4] = std::numeric_limits<double>::quiet_NaN();
 }
 
+// The lowest and the highest points of boxes above all planes decide most groups; only a group with a box that crosses
+// one is looked at plane by plane.
 BoxTable::Crossed BoxTable::crossed_by(const Group& group, std::span<const HalfSpace> planes) {
-  Crossed out{.inside = 15, .planes = {}};
-  const Four size = __builtin_elementwise_abs(group.x) + __builtin_elementwise_abs(group.y) +
-                    __builtin_elementwise_abs(group.z) + group.half_x + group.half_y + group.half_z;
+  const Four blur = rounding * (__builtin_elementwise_abs(group.x) + __builtin_elementwise_abs(group.y) +
+                                __builtin_elementwise_abs(group.z) + group.half_x + group.half_y + group.half_z);
+  const auto height_of = [&](const HalfSpace& plane) {
+    return plane.normal.x * group.x + plane.normal.y * group.y + plane.normal.z * group.z - plane.offset;
+  };
+  const auto reach_of = [&](const HalfSpace& plane) {
+    return std::fabs(plane.normal.x) * group.half_x + std::fabs(plane.normal.y) * group.half_y +
+           std::fabs(plane.normal.z) * group.half_z + (blur + rounding * std::fabs(plane.offset));
+  };
+  // No number where there is no box.
+  Four highest = 0 * group.x + infinity;
+  Four lowest = highest;
+  for (const HalfSpace& plane : planes) {
+    const Four height = height_of(plane);
+    const Four reach = reach_of(plane);
+    highest = __builtin_elementwise_min(highest, height + reach);
+    lowest = __builtin_elementwise_min(lowest, height - reach);
+  }
+  Crossed out{.inside = bits_of(highest >= 0), .planes = {}};
+  if ((out.inside & ~bits_of(lowest >= 0)) == 0) return out;
   for (std::size_t i = 0; i < planes.size(); ++i) {
-    const auto& [normal, offset] = planes[i];
-    const Four height = normal.x * group.x + normal.y * group.y + normal.z * group.z - offset;
-    const Four reach = std::fabs(normal.x) * group.half_x + std::fabs(normal.y) * group.half_y +
-                       std::fabs(normal.z) * group.half_z + rounding * (size + std::fabs(offset));
-    out.inside &= bits_of(height >= -reach);
-    if (out.inside == 0) return out;
-    const unsigned crossed = bits_of(height < reach);
-    if (crossed == 0) continue;
+    const unsigned crossed = bits_of(height_of(planes[i]) < reach_of(planes[i]));
     for (std::size_t lane = 0; lane < 4; ++lane) out.planes[lane] |= PlaneBits{crossed >> lane & 1u} << i;
   }
   return out;

@@ -135,8 +135,15 @@ abut_status Tracer::select(const View& view, const Rectangle& rectangle, bool in
   std::vector<std::uint32_t> touching;
   if (status = touching_at_edges(view, rectangle, at_edges, touching); status != ABUT_OK) return status;
   for (const std::uint32_t index : touching) found.add(entries_[index].id.slot);
-  out.clear();
-  found.visit([&](std::uint32_t slot) { out.push_back(entries_[entry_of_slot_[slot]].id); });
+  std::vector<std::uint32_t> chosen;
+  found.visit([&](std::uint32_t slot) { chosen.push_back(entry_of_slot_[slot]); });
+  // Entries are large and in any order: most of the time would go by waiting for them.
+  constexpr std::size_t ahead = 16;
+  out.resize(chosen.size());
+  for (std::size_t i = 0; i < chosen.size(); ++i) {
+    if (i + ahead < chosen.size()) __builtin_prefetch(&entries_[chosen[i + ahead]].id);
+    out[i] = entries_[chosen[i]].id;
+  }
   return ABUT_OK;
 }
 
