@@ -225,7 +225,7 @@ enum abut_selection_value ABUT_ENUM(uint32_t) {
  *
  * Solids are filled, also closed solid meshes; of other surfaces only the surface counts. A shape without bounds is
  * never inside.
- * @param x0  pixels; the corners (x0, y0) and (x1, y1) are any two opposite ones
+ * @param x0  pixels; (x0, y0) and (x1, y1) are opposite corners.
  * Complexity O(n) in geometries at some nanoseconds each, and a test of overlap for those at the edge of the
  * rectangle. [const]
  */
