@@ -14,13 +14,24 @@ export interface CameraOptions {
   /** Pixels; 640 and 480 by default. */
   width?: number;
   height?: number;
+  /** 0: all rays start at the eye, which is the default; 1: all are parallel to the axis. */
+  projection?: number;
   /** Between the upper and the lower edge, in radians; 1 by default. */
   verticalFov?: number;
   nearDistance?: number;
   farDistance?: number;
+  /** Of parallel rays: between the lower and the upper edge, in metres; 1 by default. */
+  verticalExtent?: number;
+  /** Width of a pixel divided by its height; 1 by default. */
+  pixelAspect?: number;
+  /** Pixels from the middle of the picture to the axis, to the right and down. */
+  shiftX?: number;
+  shiftY?: number;
+  /** Along what near and far are measured. 0: each ray, which is the default; 1: the axis. */
+  depthAxis?: number;
 }
 
-/** A pinhole camera. */
+/** A camera, which looks along its local -Z. */
 export class Camera {
   constructor(options?: CameraOptions);
   lookAt(eye: Vector, target: Vector, up?: Vector): void;

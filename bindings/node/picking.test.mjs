@@ -60,7 +60,7 @@ test('wrong input is refused', { skip }, () => {
   refused('ABUT_ZERO_VECTOR', 'direction', () => picker.castRay(along[0], vector(0, 0, 0)));
   refused('ABUT_INVALID_ARGUMENT', 'coherence is much; expected one of none, neighbours',
     () => picker.castRays([], { coherence: 'much' }));
-  refused('ABUT_INVALID_ARGUMENT', 'fov is no option; there are width, height, pose, verticalFov',
+  refused('ABUT_INVALID_ARGUMENT', 'fov is no option; there are width, height, projection, pose, verticalFov',
     () => new Camera({ fov: 1 }));
   refused('ABUT_ZERO_VECTOR', 'eye', () => new Camera({ eye: along[0], target: along[0] }));
 });

@@ -26,7 +26,7 @@ constexpr std::array<CommandRow, 14> rows{
       "--steps --dt --threads --size --from --to --up"},
      {Command::lean, "lean", "SCENE", "prints the line that configures the build a scene needs", "--json"},
      {Command::report, "report", "[REPORT]",
-      "draws a report.json of errors and times as a page; without one, measures first",
+      "draws errors and times as a page; without a report, measures first",
       "--quick --build --compare --out"},
      {Command::shapes, "shapes", "", "lists the kinds of shapes and their parameters", "--json"},
      {Command::completion, "completion", "SHELL", "prints completion for bash, zsh or fish", ""},

@@ -14,9 +14,11 @@ import abut.pairs.rows.dispatch;
 namespace abut {
 namespace {
 
-// Some children may have no answer, as two terrains; no answer at all is one of the whole.
+// Some children may have no answer, as two planes; no answer at all is one of the whole. Where an algorithm was asked
+// for that does not know all pairs, those that it leaves out might be the nearest: then the whole has no answer either.
 class Outcomes {
  public:
+  explicit Outcomes(Algorithm algorithm) : are_all_needed_(algorithm != Algorithm::automatic) {}
   void add(Outcome outcome) {
     if (outcome == Outcome::ok) {
       any_ok_ = true;
@@ -24,9 +26,12 @@ class Outcomes {
       last_ = outcome;
     }
   }
-  [[nodiscard]] Outcome outcome() const { return any_ok_ ? Outcome::ok : last_.value_or(Outcome::ok); }
+  [[nodiscard]] Outcome outcome() const {
+    return any_ok_ && !are_all_needed_ ? Outcome::ok : last_.value_or(Outcome::ok);
+  }
 
  private:
+  bool are_all_needed_;
   bool any_ok_ = false;
   std::optional<Outcome> last_;
 };
@@ -107,7 +112,7 @@ ChildPairs pairs_of_children(const AnyShape& a, const AnyShape& b, const Pose& a
 // which tell theirs.
 Outcome append_contacts_of_children(const AnyShape& a, const AnyShape& b, const Pose& ab, const QuerySettings& settings,
                                     bool with_nearest, Manifold& out) {
-  Outcomes outcomes;
+  Outcomes outcomes(settings.algorithm);
   const std::size_t first = out.size();
   const auto take = [&](const ChildPair& pair) {
     const std::size_t begin = out.size();
@@ -200,7 +205,7 @@ void take_depth_of_all(const AnyShape& a, const AnyShape& b, const Pose& ab, con
 Outcome distance_of_solids(const AnyShape& a, const AnyShape& b, const Pose& ab, const QuerySettings& settings,
                            Distance& best) {
   best = no_distance();
-  Outcomes outcomes;
+  Outcomes outcomes(settings.algorithm);
   Real reach = infinity;
   visit_pairs_of_children(a, b, ab, reach,
                           [&](const AnyShape& of_a, const Pose& pose_a, std::uint32_t, const AnyShape& of_b,

@@ -50,4 +50,21 @@ TEST(Routes, AreToldOfRims) {
   EXPECT_EQ(route_of(box, identity, cylinder, {{0.6, 0.5, 0.7}, {0.8, 0.6, 0, 0}}), ABUT_ALGORITHM_RIMS);
 }
 
+// A child that the algorithm does not know may be the nearest.
+TEST(Routes, OfCompositesAreAnsweredForAllChildrenOrNone) {
+  const Shape both = make_composite({make_sphere(0.5), make_octahedron(0.5)}, {at(-1, 0, 0), at(1, 0, 0)});
+  const Shape ball = make_sphere(0.2);
+  const abut_pose place = at(0.4, 0, 0);
+  auto options = filled_by(abut_query_options_init);
+  abut_distance found{};
+  options.algorithm = ABUT_ALGORITHM_GJK_EPA;
+  ASSERT_EQ(abut_pair_distance(both, &identity, ball, &place, &options, &found), ABUT_OK);
+  EXPECT_NEAR(found.distance, -0.1, 1e-9);
+  options.algorithm = ABUT_ALGORITHM_ANALYTIC;
+  EXPECT_EQ(abut_pair_distance(both, &identity, ball, &place, &options, &found), ABUT_UNSUPPORTED);
+  abut_contact contacts[8];
+  std::size_t count = 0;
+  EXPECT_EQ(abut_pair_contacts(both, &identity, ball, &place, &options, contacts, 8, &count), ABUT_UNSUPPORTED);
+}
+
 }  // namespace
