@@ -36,9 +36,10 @@ void add_near_particles(const A& particles, const Pose& pose, const TriangleSour
 }
 
 // `depth`: of the deepest by itself. False where none counts as overlapping, and where one stands alone.
-template <Scattered A>
-[[nodiscard]] bool depth_of_particles(const A& particles, const Pose& pose, const TriangleSource& surface, Real depth,
+template <Scattered A, Surface B>
+[[nodiscard]] bool depth_of_particles(const A& particles, const Pose& pose, const B& shape, Real depth,
                                       const QuerySettings& settings, Distance& out) {
+  const SourceOf<B> surface(shape);
   const auto gather = [&](Real reach, auto&& take) {
     BodiesOnSurface bodies;
     add_near_particles(particles, pose, surface, reach, settings, bodies);

@@ -8,6 +8,7 @@ import abut.math;
 import abut.math.tolerance;
 import abut.narrow.convex;
 import abut.narrow.parts.nearest_of_parts;
+export import abut.narrow.surface.particles_on_surface;
 export import abut.narrow.surface.surfaces;
 import abut.narrow.surface.triangle_source;
 import abut.narrow.parts.two_parts;

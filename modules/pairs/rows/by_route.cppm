@@ -11,8 +11,6 @@ import abut.narrow.field.field_surfaces;
 import abut.narrow.walls.half_space;
 import abut.narrow.walls.hole_surfaces;
 import abut.narrow.parts.nearest_of_parts;
-import abut.narrow.surface.particles_on_surface;
-import abut.narrow.surface.triangle_source;
 import abut.narrow.two_surfaces;
 import abut.pairs.routes;
 
@@ -147,7 +145,7 @@ Outcome scattered_distance(const A& a, const B& b, const Pose& ab, const QuerySe
   if constexpr (Surface<B>) {
     if (outcome == Outcome::ok && out.distance < 0) {
       Distance whole{};
-      if (depth_of_particles(a, ab.inverse(), SourceOf<B>(b), -out.distance, settings, whole)) {
+      if (depth_of_particles(a, ab.inverse(), b, -out.distance, settings, whole)) {
         out = whole;
         move_by(out, ab, true);
       }
