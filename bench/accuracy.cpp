@@ -26,7 +26,7 @@ namespace {
 constexpr std::array kinds{Kind::sphere, Kind::capsule,   Kind::box,    Kind::cylinder,
                            Kind::cone,   Kind::ellipsoid, Kind::hull32, Kind::hull200};
 
-// Those that stand on shapes of many parts.
+// Bodies that stand on shapes of many parts.
 constexpr std::array bodies{Kind::sphere, Kind::capsule, Kind::box, Kind::cylinder, Kind::hull32};
 constexpr std::array all_queries{Query::distance, Query::depth, Query::contacts, Query::overlap,
                                  Query::cast,     Query::ray,   Query::impact};

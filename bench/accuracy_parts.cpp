@@ -16,7 +16,7 @@ using oracle::quad;
 using oracle::Quad;
 using oracle::Vec;
 
-// Of surfaces: samples of a side and their spacing, 2,048 triangles on 8 units.
+// A surface has so many samples along a side, and their spacing: 2,048 triangles on 8 units.
 constexpr int samples = 33;
 constexpr double spacing = 0.25;
 // Powers of two, so that the corners of a tilted floor lie in its plane bit by bit.
@@ -34,7 +34,7 @@ bool is_always_flat(Kind kind) { return kind == Kind::plane || kind == Kind::dis
 
 double apart(const Point& p, const Point& q) { return std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]); }
 
-// Of a point to the segment from a start.
+// The distance of a point from the segment that begins at `start`.
 double distance_to_way(const Point& p, const Point& start, const Point& way) {
   double along = 0, square = 0;
   for (std::size_t i = 0; i < 3; ++i) {
@@ -54,13 +54,7 @@ Solid ground(Kind kind, bool is_flat, Random& random) {
       solid.points.push_back({x, y, is_flat ? tilt_x * x + tilt_y * y : hills});
     }
   }
-  for (int j = 0; j + 1 < samples; ++j) {
-    for (int i = 0; i + 1 < samples; ++i) {
-      const int first = j * samples + i, last = first + samples + 1;
-      solid.triangles.push_back({first, first + 1, last});
-      solid.triangles.push_back({first, last, last - 1});
-    }
-  }
+  add_cells(solid, samples);
   return solid;
 }
 
@@ -152,7 +146,7 @@ std::optional<Quad> PartsJudge::distance(const oracle::Pose& at_whole, Judge& b,
     const Vec n = at_whole.rotate(*normal_);
     return oracle::dot(at_b.position - at_whole.position, n) - oracle::support(b.solid(), at_b.rotate_back(-n));
   }
-  // Those that may be nearest first, so that most of the others are passed over.
+  // Parts that may be nearest come first, so that most others are passed over.
   std::vector<std::pair<double, Part*>> order;
   const Point middle = point_of(at_whole.rotate_back(at_b.position - at_whole.position));
   for (Part& part : parts_) {

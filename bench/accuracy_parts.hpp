@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Shapes that are made of many parts, beside convex solids: surfaces, solid meshes, fields, particles and composites.
-// What they answer is the least over their parts, by the oracle of the tests, or a closed form on flat ground.
+// Their answer is the least over their parts, by the oracle of the tests, or a closed form on flat ground.
 #pragma once
 #include <map>
 #include <optional>

@@ -14,7 +14,7 @@ namespace bench {
 
 [[nodiscard]] Case random_case(std::span<const Solid> solids_a, std::span<const Solid> solids_b, Random& random);
 
-// Lets b move toward a point, such as a, and past it by up to 0.7 of the reach, so that most of the pairs meet.
+// Lets b move toward a point, such as a, and past it by up to 0.7 of the reach. So most pairs meet.
 void give_motion(Case& one, const Point& aim, double reach, Random& random);
 void give_motion(Case& one, double reach, Random& random);
 

@@ -138,8 +138,19 @@ class Random {
   return solid;
 }
 
-// Hills of two lengths, rough in the small: 131,072 triangles, of which about forty meet a solid of random_solid. Row
-// by row, X fastest, and each cell split from its first corner to its last.
+// Triangles of a square of `side` points along each side. Row by row, X fastest, and each cell split from its first
+// corner to its last.
+inline void add_cells(Solid& solid, int side) {
+  for (int j = 0; j + 1 < side; ++j) {
+    for (int i = 0; i + 1 < side; ++i) {
+      const int first = j * side + i, last = first + side + 1;
+      solid.triangles.push_back({first, first + 1, last});
+      solid.triangles.push_back({first, last, last - 1});
+    }
+  }
+}
+
+// Hills of two lengths, rough in the small: 131,072 triangles, of which about forty meet a solid of random_solid.
 [[nodiscard]] inline Solid terrain(Kind kind, Random& random) {
   constexpr int side = 257;
   constexpr double spacing = 0.25;
@@ -151,13 +162,7 @@ class Random {
       solid.points.push_back({spacing * i, spacing * j, z});
     }
   }
-  for (int j = 0; j + 1 < side; ++j) {
-    for (int i = 0; i + 1 < side; ++i) {
-      const int first = j * side + i, last = first + side + 1;
-      solid.triangles.push_back({first, first + 1, last});
-      solid.triangles.push_back({first, last, last - 1});
-    }
-  }
+  add_cells(solid, side);
   return solid;
 }
 

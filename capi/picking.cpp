@@ -38,6 +38,17 @@ using abut::capi::refuse;
 using abut::capi::refuse_null;
 using abut::capi::refuse_stale;
 
+// By count-then-fill.
+template <class T>
+void hand_out(const std::vector<T>& all, T* to, std::size_t capacity, std::size_t& count) {
+  // SAFETY: the caller answers for `capacity` elements.
+  ABUT_UNSAFE_BEGIN
+  const std::span<T> out(to, capacity);
+  ABUT_UNSAFE_END
+  std::copy_n(all.begin(), std::min(capacity, all.size()), out.begin());
+  count = all.size();
+}
+
 // A failure inside: the universe has written a message of its own when it was the one that failed.
 [[nodiscard]] abut_status answer(abut_status status) noexcept {
   if (status == ABUT_OK) return ABUT_OK;
@@ -193,12 +204,7 @@ abut_status abut_picker_cast_ray_all(abut_picker* picker, const abut_ray* ray, c
   return guarded([&]() -> abut_status {
     std::vector<abut_pick> all;
     if (const abut_status status = picker->picker.cast_ray_all(*ray, wanted, all); status != ABUT_OK) return status;
-    // SAFETY: the caller answers for `capacity` elements.
-    ABUT_UNSAFE_BEGIN
-    const std::span<abut_pick> out(picks, capacity);
-    ABUT_UNSAFE_END
-    std::copy_n(all.begin(), std::min(capacity, all.size()), out.begin());
-    *count = all.size();
+    hand_out(all, picks, capacity, *count);
     return ABUT_OK;
   });
 }
@@ -268,12 +274,7 @@ abut_status abut_picker_select_rectangle(abut_picker* picker, const abut_camera*
         status != ABUT_OK) {
       return status;
     }
-    // SAFETY: the caller answers for `capacity` elements.
-    ABUT_UNSAFE_BEGIN
-    const std::span<abut_geometry_id> out(geometries, capacity);
-    ABUT_UNSAFE_END
-    std::copy_n(all.begin(), std::min(capacity, all.size()), out.begin());
-    *count = all.size();
+    hand_out(all, geometries, capacity, *count);
     return ABUT_OK;
   });
 }

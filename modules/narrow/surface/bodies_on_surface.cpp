@@ -155,46 +155,48 @@ class AllBodies final : public Obstacles {
   std::size_t first_ = 0;
 };
 
-// A search asks each body for each direction. So of many it looks at few, then asks all along what it has found, and
-// takes in those that stand in the way.
 struct FoundTogether {
   SeparatingTranslation translation;
   Real tolerance;
   Vec3 last_point;
 };
+// A search asks each body for each direction. So of many it looks at few, then asks all along what it has found, and
+// takes in those that stand in the way.
 std::optional<FoundTogether> find_together(const BodiesOnSurface& bodies) {
   constexpr std::size_t few = 24;
   constexpr int most_rounds = 12;
   std::vector<std::size_t> numbers(bodies.size());
   std::iota(numbers.begin(), numbers.end(), std::size_t{0});
   AllBodies all(bodies, numbers);
+  const Real tolerance = all.terms().tolerance;
+  if (bodies.size() <= few) {
+    SeparatingTranslation found = find_translation(all, all.terms());
+    if (found.touches.empty()) {
+      return std::nullopt;
+    }
+    return FoundTogether{found, tolerance, all.last_point(found)};
+  }
   numbers = all.deepest(few);
   for (int round = 0;; ++round) {
     AllBodies some(bodies, numbers);
-    FoundTogether found{find_translation(some, some.terms()), all.terms().tolerance, {}};
-    if (found.translation.touches.empty()) {
+    SeparatingTranslation found = find_translation(some, some.terms());
+    if (found.touches.empty()) {
       return std::nullopt;
     }
-    if (numbers.size() == bodies.size()) {
-      found.last_point = some.last_point(found.translation);
-      return found;
-    }
-    const SurfaceExit whole = all.exit_along(found.translation.direction, infinity);
+    const SurfaceExit whole = all.exit_along(found.direction, infinity);
     const std::size_t before = numbers.size();
     for (const std::size_t number : all.raisers()) {
       if (std::ranges::find(numbers, number) == numbers.end()) {
         numbers.push_back(number);
       }
     }
-    if (whole.length <= found.translation.length + found.tolerance || numbers.size() == before ||
-        round == most_rounds) {
+    if (whole.length <= found.length + tolerance || numbers.size() == before || round == most_rounds) {
       if (whole.is_stopped || whole.touches.empty()) {
         return std::nullopt;
       }
-      found.translation.length = whole.length;
-      found.translation.touches = whole.touches;
-      found.last_point = all.last_point(found.translation);
-      return found;
+      found.length = whole.length;
+      found.touches = whole.touches;
+      return FoundTogether{found, tolerance, all.last_point(found)};
     }
   }
 }
