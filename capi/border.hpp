@@ -14,7 +14,7 @@ namespace abut::capi {
 
 // Which argument a check is about: "pose_a", "poses[3]", or "options[3].pose". Put into words only when a
 // check fails.
-struct Where {
+struct [[gsl::Pointer]] Where {
   static constexpr std::size_t no_index = std::numeric_limits<std::size_t>::max();
 
   std::string_view name;

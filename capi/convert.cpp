@@ -4,7 +4,7 @@
 namespace abut::capi {
 namespace {
 
-struct Component {
+struct [[gsl::Pointer]] Component {
   std::string_view name;
   double value;
 };

@@ -28,7 +28,7 @@ constexpr abut_geometry_options default_options{sizeof(abut_geometry_options),
                                                 0,
                                                 ABUT_PARKING_NONE};
 
-struct Batch {
+struct [[gsl::Pointer]] Batch {
   std::span<const abut_part_id> parts;
   std::span<const abut_shape* const> shapes;
   std::span<const abut::GeometryOptions> options;  // of checked values

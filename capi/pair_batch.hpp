@@ -11,7 +11,7 @@ import abut.pairs.any_shape;
 
 namespace abut::capi {
 
-struct PairBatch {
+struct [[gsl::Pointer]] PairBatch {
   const abut_shape *a, *b;
   std::span<const abut_pose> poses_a, poses_b;
 

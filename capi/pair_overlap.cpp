@@ -37,7 +37,7 @@ abut_status read_overlap_options(const abut_query_options* options, PairQuery& q
   return outcome;
 }
 
-struct PlacedPairs {
+struct [[gsl::Pointer]] PlacedPairs {
   std::span<const abut_shape* const> shapes_a, shapes_b;
   std::span<const abut_pose> poses_a, poses_b;
 

@@ -36,7 +36,7 @@ struct PairQuery {
 }
 
 // Two shapes at checked poses.
-struct PlacedPair {
+struct [[gsl::Pointer]] PlacedPair {
   const abut_shape *a, *b;
   const abut_pose &pose_a, &pose_b;
 };

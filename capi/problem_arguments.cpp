@@ -42,7 +42,7 @@ struct Element {
   return refuse(status, Element(array, index).name.data(), value, expectation);
 }
 
-struct Range {
+struct [[gsl::Pointer]] Range {
   double least, most;
   const char* expectation;
 };
@@ -94,7 +94,7 @@ enum class Presence : unsigned char { needed, optional };
 }
 
 // All that is read, as spans.
-struct Arrays {
+struct [[gsl::Pointer]] Arrays {
   std::span<const double> masses, inertias, centres, free_velocities, points, normals, tangents, frictions, compliances,
       offsets, surface_velocities, first_velocities, first_impulses;
   std::span<const std::uint32_t> bodies;

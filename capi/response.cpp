@@ -99,7 +99,7 @@ constexpr abut_body_options usual_body{.struct_size = sizeof(abut_body_options),
 }
 
 // Sets a flag while a step runs.
-class Stepping {
+class [[gsl::Pointer]] Stepping {
  public:
   explicit Stepping(abut_response& response) noexcept : response_(&response) { response_->is_stepping = true; }
   Stepping(const Stepping&) = delete;

@@ -110,7 +110,7 @@ abut_status check_material(const abut_contact_material& material) noexcept {
 }
 
 abut_status check_law(const abut_contact_law& law) noexcept {
-  struct Number {
+  struct [[gsl::Pointer]] Number {
     const char* name;
     double value, least, most;
   };

@@ -17,7 +17,7 @@
 
 import abut.response;
 
-struct abut_response {
+struct [[gsl::Pointer]] abut_response {
   abut::capi::ResponseAttachment attachment;
   abut::capi::UniversePointer universe;
   abut::response::Simulation simulation;

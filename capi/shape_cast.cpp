@@ -65,7 +65,7 @@ abut_status cast_one(const PlacedPair& pair, const Ways& ways, const abut_query_
   return ABUT_OK;
 }
 
-struct WaysOfEach {
+struct [[gsl::Pointer]] WaysOfEach {
   std::span<const abut_vec3> a, b;
 };
 

@@ -9,7 +9,7 @@ import abut.core.standard;
 
 namespace abut::capi {
 
-struct Numbers {
+struct [[gsl::Pointer]] Numbers {
   std::span<const double> parameters;
   std::span<const double> reals;
   std::span<const std::uint32_t> indices;

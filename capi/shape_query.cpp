@@ -36,7 +36,7 @@ abut_status write_aabb(const abut_shape* shape, const abut_pose& pose, abut_aabb
   return ABUT_OK;
 }
 
-struct TriangleBuffers {
+struct [[gsl::Pointer]] TriangleBuffers {
   double* xyz;
   std::size_t vertex_capacity;
   std::size_t* vertex_count;

@@ -11,7 +11,7 @@ import abut.triangles.merged_vertices;
 namespace abut::capi {
 
 // As callers hand them over.
-struct Faces {
+struct [[gsl::Pointer]] Faces {
   const double* xyz;
   std::size_t vertex_count;
   const std::uint32_t* corners;
@@ -24,7 +24,7 @@ struct FaceOptions {
   double merge_distance;
 };
 
-class TriangleSource {
+class [[gsl::Pointer]] TriangleSource {
  public:
   // Checks the options and, where quads are split or vertices merged, the numbers as well. What is handed on as it is
   // will be checked by what is made of it.

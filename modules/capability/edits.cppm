@@ -16,13 +16,13 @@ struct Buffers {
 };
 
 // All parameters, as `make` takes them.
-struct ParameterEdit {
+struct [[gsl::Pointer]] ParameterEdit {
   static constexpr std::string_view subject = "parameters that can be changed without its data";
   std::span<const Real> parameters;
 };
 
 // Heights of a rectangle of samples of a height field, along X first.
-struct HeightEdit {
+struct [[gsl::Pointer]] HeightEdit {
   static constexpr std::string_view subject = "heights";
   std::uint32_t column, row;      // the first sample
   std::uint32_t columns, rows;    // how many
@@ -31,14 +31,14 @@ struct HeightEdit {
 
 // Centres of particles from `first` on, three numbers each, and their radii, which stay as they are where there are
 // none.
-struct ParticleEdit {
+struct [[gsl::Pointer]] ParticleEdit {
   static constexpr std::string_view subject = "centres";
   std::size_t first;
   std::span<const Real> xyz, radii;
 };
 
 // Values of a box of samples of a distance field, along X first, then Y.
-struct FieldEdit {
+struct [[gsl::Pointer]] FieldEdit {
   static constexpr std::string_view subject = "values";
   std::uint32_t column, row, layer;     // the first sample
   std::uint32_t columns, rows, layers;  // how many
@@ -47,7 +47,7 @@ struct FieldEdit {
 
 // Places of the points of a lattice that bends a distance field, three numbers each, along X first, then Y. Without
 // points the field is as it was made.
-struct LatticeEdit {
+struct [[gsl::Pointer]] LatticeEdit {
   static constexpr std::string_view subject = "a lattice";
   std::uint32_t columns, rows, layers;
   std::span<const Real> xyz;  // columns * rows * layers points
@@ -55,7 +55,7 @@ struct LatticeEdit {
 
 // Places of vertices, three numbers each: of those that `vertices` lists or, where it lists none, of those from `first`
 // on.
-struct VertexEdit {
+struct [[gsl::Pointer]] VertexEdit {
   static constexpr std::string_view subject = "vertices that can be moved";
   std::size_t first;
   std::span<const std::uint32_t> vertices;
@@ -63,13 +63,13 @@ struct VertexEdit {
 };
 
 // Triangles that are no longer there. The others keep their numbers.
-struct RemovalEdit {
+struct [[gsl::Pointer]] RemovalEdit {
   static constexpr std::string_view subject = "triangles that can be removed";
   std::span<const std::uint32_t> triangles;
 };
 
 // All that the shape is made of beside its parameters, as `make` takes it.
-struct RecreationEdit {
+struct [[gsl::Pointer]] RecreationEdit {
   static constexpr std::string_view subject = "vertices and triangles to be made of";
   std::span<const Real> reals;
   std::span<const std::uint32_t> indices;

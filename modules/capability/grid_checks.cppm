@@ -23,7 +23,7 @@ export namespace abut {
 }
 
 // `count` of `all` samples along an axis, from number `first` on.
-struct Stretch {
+struct [[gsl::Pointer]] Stretch {
   std::string_view first_name, count_name;
   std::uint32_t first, count;
 };

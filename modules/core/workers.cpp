@@ -34,7 +34,7 @@ struct Order {
 #endif
 };
 // One task, whichever way it ends.
-struct Turn {
+struct [[gsl::Pointer]] Turn {
   Order& order;
   explicit Turn(Order& its) : order(its) { order.begin_task(); }
   ~Turn() { order.end_task(); }

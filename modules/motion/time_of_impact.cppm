@@ -40,7 +40,7 @@ struct ImpactOptions {
 };
 
 // A shape on its way.
-struct MovingShape {
+struct [[gsl::Pointer]] MovingShape {
   const AnyShape& shape;
   const Path& path;
   Aabb box;  // of the shape in its own frame

@@ -7,13 +7,13 @@ import abut.scene.state.options;
 
 export namespace abut {
 
-struct Plan {
-  struct Stage {
+struct [[gsl::Pointer]] Plan {
+  struct [[gsl::Pointer]] Stage {
     std::string_view name;
     double microseconds;
     std::string what;
   };
-  struct KindPair {
+  struct [[gsl::Pointer]] KindPair {
     std::string_view kind_a, kind_b;
     std::uint64_t candidates, examined, touching, contacts;
     std::string_view algorithm, reason;

@@ -17,7 +17,7 @@ Vec3 place_of(std::span<const Real> xyz, std::uint32_t vertex) {
 // Vertices that stay, by the cell of a grid in which they lie. Cells that have the same hash share a list: whoever
 // looks compares places anyway. Cells are two distances wide, so that rounding of a place in cells leads no further
 // than to the next one.
-class VertexCells {
+class [[gsl::Pointer]] VertexCells {
  public:
   VertexCells(std::span<const Real> xyz, Real distance)
       : xyz_(xyz), distance_(distance), first_(std::bit_ceil(xyz.size() / 3 + 1), none), next_(xyz.size() / 3, none) {

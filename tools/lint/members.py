@@ -5,6 +5,7 @@ import re
 
 _CLASS = re.compile(r"\b(?<!enum )(?:class|struct)\b[^;(){}=]*$")
 _ATTRIBUTE = re.compile(r"\[\[.*?\]\]|\balignas\s*\([^)]*\)", re.S)
+_LOOKS = re.compile(r"\[\[gsl::Pointer\]\]")
 _NOT_DATA = re.compile(r"^\s*(?:using|friend|typedef|template|static_assert|enum|public|private|protected|requires|concept)\b")
 _STATIC = re.compile(r"\bstatic\b")
 _BORROWED = re.compile(r"\b(?:span|basic_string_view|string_view|mdspan|reference_wrapper)\b|[*&]")
@@ -38,8 +39,8 @@ def _borrowed(statement):
 
 
 def borrowed_members(code):
-    """Yields (line, what) for each member that is a view, a pointer or a reference."""
-    stack = []  # True for the body of a class
+    """Yields (line, what) for each member that is a view, a pointer or a reference, in classes that do not say so."""
+    stack = []  # True for the body of a class that owns what it holds
     start = 0  # where the present statement begins
     parens = 0
     i = 0
@@ -59,7 +60,7 @@ def borrowed_members(code):
             if stack and stack[-1] and not opens_class and "(" not in _without_angles(statement):
                 # The initializer of a member: what counts stands before it.
                 yield from _report(code, start, statement)
-            stack.append(opens_class)
+            stack.append(opens_class and not _LOOKS.search(statement))
             start = i + 1
         elif c == "{":
             i = _matching(code, i)

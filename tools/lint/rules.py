@@ -131,10 +131,10 @@ def standard_include(source):
 
 
 def borrowed_member(source):
-    """No class stores a view, a pointer or a reference."""
+    """A class that stores a view, a pointer or a reference is a [[gsl::Pointer]]: clang warns where one dangles."""
     if source.is_cxx and source.within("modules", "capi"):
         for line, what in borrowed_members(source.code):
-            yield line, f"a member stores a borrowed `{what}`"
+            yield line, f"a member stores a borrowed `{what}`; the class is no [[gsl::Pointer]]"
 
 
 def module_path(source):

@@ -281,6 +281,7 @@ class Lint(unittest.TestCase):
                 with self.subTest(body=body, kind=kind):
                     self.assertEqual(bool(list(borrowed_members(code))), borrowed)
         self.assertEqual(list(borrowed_members("struct A {\n  int a;\n  int* b;\n};")), [(3, "*")])
+        self.assertEqual(list(borrowed_members("struct [[gsl::Pointer]] A {\n  int* a;\n  struct B {\n    int* b;\n  };\n};")), [(4, "*")])
         self.assertIn("borrowed_member", fired({MODULE: "struct A { int* b; };"}))
 
     def test_stripping_keeps_lines(self):

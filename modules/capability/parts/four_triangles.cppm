@@ -101,7 +101,7 @@ template <class Wanted>
 // where they stay. visit(corners, number) gets those whose boxes overlap `box`, which it may shrink, and which meet the
 // condition.
 template <class ReadCorners, class Wanted, class Visitor>
-class WaitingTriangles {
+class [[gsl::Pointer]] WaitingTriangles {
  public:
   WaitingTriangles(const Aabb& box, const ReadCorners& read_corners, const Wanted& is_wanted, const Visitor& visit)
       : box_(box), read_corners_(read_corners), is_wanted_(is_wanted), visit_(visit) {}

@@ -21,11 +21,11 @@ class SpareBlocks {
   [[nodiscard]] std::size_t bytes() const noexcept { return bytes_; }
 
  private:
-  struct Block {
+  struct [[gsl::Pointer]] Block {
     Block* next;
   };
   // Blocks of one kind, in no order. A kind is a size and an alignment in one number.
-  struct List {
+  struct [[gsl::Pointer]] List {
     std::uint32_t kind = 0, count = 0;
     Block* first = nullptr;
   };
@@ -56,7 +56,7 @@ class SpareBlocks {
  public:
   // The blocks are in use on this thread while this lives. Tasks that run on several threads at once have a Use each,
   // of that of their caller.
-  class Use {
+  class [[gsl::Pointer]] Use {
    public:
     Use(SpareBlocks& spare, std::uint32_t threads) noexcept;
     // Of a task.

@@ -11,7 +11,7 @@ import abut.scene.meetings.policies;
 export namespace abut {
 
 // What the stage asks besides jobs.
-struct SeamScene {
+struct [[gsl::Pointer]] SeamScene {
   const UniverseOptions& options;
   const PolicyTable& policies;
   const Places& places;

@@ -17,7 +17,7 @@ export namespace abut {
 
 // What a detection covers of the pairs that have changed.
 enum class Coverage : std::uint8_t { changed, everything, pairs, region };
-struct Scope {
+struct [[gsl::Pointer]] Scope {
   Coverage coverage = Coverage::changed;
   std::span<const ProxyPair> pairs = {};  // in order
   CompactAabb region = {};

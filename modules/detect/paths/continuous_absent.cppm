@@ -31,7 +31,7 @@ class Sweeps {
   [[nodiscard]] std::size_t bytes() const { return 0; }
 };
 
-struct PathScene {
+struct [[gsl::Pointer]] PathScene {
   const UniverseOptions& options;
   const PolicyTable& policies;
   const Places& places;

@@ -45,7 +45,7 @@ PathPair path_pair(const PathScene& scene, const Sides& sides, Real margin) {
 }
 
 // A geometry on its path. What is no mover has its path here.
-class Traveller {
+class [[gsl::Pointer]] Traveller {
  public:
   Traveller(const PathScene& scene [[clang::lifetimebound]], std::uint32_t place)
       : shape_(*scene.places.shapes[place]), mover_(scene.sweeps.mover_at(place)) {

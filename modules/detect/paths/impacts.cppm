@@ -56,7 +56,7 @@ class ImpactStage {
     Real touching = 0;              // up to this distance its contacts touch
   };
   // Pairs next to each other that one task takes: their points, and their touches.
-  struct Block {
+  struct [[gsl::Pointer]] Block {
     std::size_t number;  // of the scratch
     std::vector<Touch>& touches;
   };

@@ -20,7 +20,7 @@ import abut.scene.meetings.policies;
 
 export namespace abut {
 
-struct PathScene {
+struct [[gsl::Pointer]] PathScene {
   const UniverseOptions& options;
   const PolicyTable& policies;
   const Places& places;
@@ -30,7 +30,7 @@ struct PathScene {
 };
 
 // The two sides of a job, on their paths.
-struct Sides {
+struct [[gsl::Pointer]] Sides {
   const PairJob& job;
   const Path &a, &b;
   Aabb box_a, box_b;  // of the shapes in their own frames

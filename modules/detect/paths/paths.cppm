@@ -11,7 +11,7 @@ export namespace abut {
 
 // A part with a measured velocity begins where it was at the end of the step before, and ends at its pose. All others
 // begin at their pose.
-struct Paths {
+struct [[gsl::Pointer]] Paths {
   const Scene::Geometries& geometries;
   const VelocityTable& velocities;
   const Places& places;

@@ -13,7 +13,7 @@ namespace abut {
 namespace {
 
 // A shape on its path.
-struct Mover {
+struct [[gsl::Pointer]] Mover {
   const Path& path;
   Real size;    // the largest side of its box; infinite for a plane
   Real radius;  // around the centre; turning moves no ball around a point of its core

@@ -11,7 +11,7 @@ import abut.motion.time_of_impact;
 export namespace abut {
 
 // A convex part of a body, where it is on the body, and how the body moves.
-struct MovingPart {
+struct [[gsl::Pointer]] MovingPart {
   ConvexPart part;
   const Path* path;  // which outlives it
   Pose local;
@@ -39,7 +39,7 @@ struct MovingPair {
 };
 
 // A convex part on its path: what is known of it before any search.
-struct PassingPart {
+struct [[gsl::Pointer]] PassingPart {
   const ConvexPart& part;  // in the frame of the body
   const Path& path;
   Reach reach;      // of its core; of what does not turn it has no say

@@ -19,7 +19,7 @@ export namespace abut {
 }
 
 // A shape on a body, and which child it is of the whole.
-struct Subject {
+struct [[gsl::Pointer]] Subject {
   const AnyShape& shape;
   Carrier on;
   std::uint32_t child;

@@ -51,7 +51,7 @@ Vec3 velocity_of(const Path& path, const Vec3& point, Real time) {
 // Steps are as long as the lower bound of the distance proves, and no shorter than a stride. The lower bound may know
 // less than the shape, as of what holes leave of a solid, so it tells no touch. Nothing is proven after a stride that
 // is longer than the proof.
-class DistanceSearch {
+class [[gsl::Pointer]] DistanceSearch {
  public:
   DistanceSearch(const AnyShape& a [[clang::lifetimebound]], const Carrier& on_a [[clang::lifetimebound]],
                  const AnyShape& b [[clang::lifetimebound]], const Carrier& on_b [[clang::lifetimebound]],

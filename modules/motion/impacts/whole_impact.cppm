@@ -12,7 +12,7 @@ import abut.pairs.registry;
 export namespace abut {
 
 // How a body moves, and where on it a shape is.
-struct Carrier {
+struct [[gsl::Pointer]] Carrier {
   const Path& path;
   Pose local;
 

@@ -53,7 +53,7 @@ template <Convex B>
 
 // A convex core in a field, seen from the frame of the core.
 template <SampledSolid F, Convex B>
-class CoreInField {
+class [[gsl::Pointer]] CoreInField {
  public:
   CoreInField(const F& field, const B& b, const Pose& pose) : field_(field), b_(b), pose_(pose) {}
 

@@ -52,7 +52,7 @@ class ConvexSide {
 
 // The functions of ConvexSide for a core, as part of `Side`, which may have more.
 template <Convex B, class Side>
-class CoreFunctions : public Side {
+class [[gsl::Pointer]] CoreFunctions : public Side {
  public:
   explicit CoreFunctions(const B& core)
       : Side(core.centre(), core.extent(), form_of_core(core), Curved<B>), core_(core) {}

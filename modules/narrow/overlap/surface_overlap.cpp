@@ -39,7 +39,7 @@ class Front {
 };
 
 // Whether the triangles of a surface stop a core.
-class CoreQuestion {
+class [[gsl::Pointer]] CoreQuestion {
  public:
   CoreQuestion(const CoreAmongTriangles& core, const Pose& ab, Real reach, Real noise, bool has_fronts)
       : core_(core), ab_(ab), reach_(reach), noise_(noise), has_fronts_(has_fronts) {}
@@ -96,7 +96,7 @@ class CoreQuestion {
 }
 
 // The boxes of a surface as a Hierarchy.
-class TreeOfSource {
+class [[gsl::Pointer]] TreeOfSource {
  public:
   explicit TreeOfSource(const SurfaceSource& surface) : surface_(surface) {}
 

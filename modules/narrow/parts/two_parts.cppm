@@ -34,7 +34,7 @@ template <Surface S>
 
 // The parts of two items. Often several parts of a meet one of b, one after the other.
 template <Surface A, Surface B>
-class TwoParts {
+class [[gsl::Pointer]] TwoParts {
  public:
   TwoParts(const A& a, const B& b, const Pose& ab) : a_(a), b_(b), ab_(ab) {}
 

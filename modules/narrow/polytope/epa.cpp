@@ -28,7 +28,7 @@ constexpr Real same_start = 0.97;      // cosine between directions of which one
 constexpr Real gain_share = 1.0 / 16;  // of the error: a depth that is less by this much is less
 
 // One search for the least depth. The polytope bounds it from below, and each direction bounds it from above.
-class DepthSearch {
+class [[gsl::Pointer]] DepthSearch {
  public:
   inline DepthSearch(const Difference& cores, Real error) : cores_(cores), error_(error), noise_(cores.noise()) {}
 

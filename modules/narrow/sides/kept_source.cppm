@@ -10,7 +10,7 @@ import abut.narrow.warm.side_memory;
 
 export namespace abut {
 
-class KeptSource final : public TriangleSource {
+class [[gsl::Pointer]] KeptSource final : public TriangleSource {
  public:
   // `sides`: in order; both arguments have to live as long. Triangles without a side stop from both, or hold where they
   // had a front already. Such a front lets through what has come from behind, as ever.

@@ -15,7 +15,7 @@ NearPlace place_of(const NearPlace& at, std::size_t body) { return {at.four, 4 *
 std::size_t body_at(const NearPlace& at) { return at.lane / 4; }
 
 // Those of some numbers, as one body.
-class AllBodies final : public Obstacles {
+class [[gsl::Pointer]] AllBodies final : public Obstacles {
  public:
   AllBodies(const BodiesOnSurface& bodies, std::span<const std::size_t> numbers)
       : bodies_(bodies), numbers_(numbers.begin(), numbers.end()), terms_(at(0).begin()) {

@@ -63,7 +63,7 @@ class OneOfBodies final : public BodyOnSurface {
 
 // A ball, which keeps nothing between questions: there may be many, and little is near one.
 template <PointCored B>
-class OneOfBalls final : public BodyOnSurface, public Obstacles {
+class [[gsl::Pointer]] OneOfBalls final : public BodyOnSurface, public Obstacles {
  public:
   OneOfBalls(const TriangleSource& surface, const B& b, const Pose& ab, const QuerySettings& settings) noexcept
       : surface_(surface), ball_(b), ab_(ab), settings_(settings) {}

@@ -106,7 +106,7 @@ inline constexpr Real same_normal = 1 - 1e-9;
 }
 
 template <Convex B>
-class ContactsUnderPlanes {
+class [[gsl::Pointer]] ContactsUnderPlanes {
  public:
   ContactsUnderPlanes(const TriangleSource& surface, const B& b, const Pose& ab, const QuerySettings& settings,
                       SurfaceSearch<B>& search, Manifold& out)

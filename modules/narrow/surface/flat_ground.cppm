@@ -69,7 +69,7 @@ static_assert(HalfSpace<FlatGround>);
                                                     Real most_gap);
 
 template <Convex B>
-class GroundBodyOf final : public GroundBody {
+class [[gsl::Pointer]] GroundBodyOf final : public GroundBody {
  public:
   GroundBodyOf(const B& b, const Pose& ab)
       : GroundBody(placed_centre(b, ab), b.aabb(ab), b.extent() + b.radius(), b.radius()), b_(b), ab_(ab) {}

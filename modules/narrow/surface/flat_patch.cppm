@@ -30,7 +30,7 @@ struct GroundSlab {
   Real low, high;
 };
 
-class FlatPatch {
+class [[gsl::Pointer]] FlatPatch {
  public:
   // What the triangles of the box have to agree with.
   struct Demand {

@@ -44,7 +44,7 @@ struct OverlappedFour : FourFaces {
 };
 
 template <Convex B>
-class NearTriangles {
+class [[gsl::Pointer]] NearTriangles {
  public:
   // Looks for all triangles within `margin`. `sides`: fronts let through what comes from behind.
   NearTriangles(const TriangleSource& surface, const B& b, const Pose& ab, const QuerySettings& settings, Real margin,

@@ -72,7 +72,7 @@ class SurfaceSource : public TriangleSource {
 };
 
 template <Surface S>
-class SourceOf final : public SurfaceSource {
+class [[gsl::Pointer]] SourceOf final : public SurfaceSource {
  public:
   explicit SourceOf(const S& surface) : surface_(surface), sides_(stopping_sides(surface)) {}
 

@@ -27,7 +27,7 @@ constexpr Pose here = Pose::identity();
 // A face that leans by less than this angle, in radians, lies on another one with all its corners.
 constexpr Real lean_of_faces = 0.01;
 
-class Contacts {
+class [[gsl::Pointer]] Contacts {
  public:
   Contacts(const SurfaceSource& a, const SurfaceSource& b, const Pose& ab, const QuerySettings& settings,
            CrossingSurfaces& surfaces, bool is_swapped, Manifold& out)

@@ -33,7 +33,7 @@ struct TouchedPair {
 // no say.
 [[nodiscard]] bool is_moved_first(const SurfaceSource& a, const SurfaceSource& b, const Pose& ab);
 
-class CrossingSurfaces final : private Obstacles {
+class [[gsl::Pointer]] CrossingSurfaces final : private Obstacles {
  public:
   // Looks for all pairs within `margin`.
   CrossingSurfaces(const SurfaceSource& a, const SurfaceSource& b, const Pose& ab, const QuerySettings& settings,

@@ -81,7 +81,7 @@ class PlacedTriangles {
 };
 
 // A way of the second one of two surfaces, as far as it is gone, which may grow.
-struct SurfaceWay {
+struct [[gsl::Pointer]] SurfaceWay {
   Vec3 direction;
   const Real& length;
 };

@@ -29,7 +29,7 @@ template <Surface A, Surface B>
 // The gap between the planes across a normal that hold all of one surface and all of another. What lies too far behind
 // its plane is not the nearest.
 template <Surface A, Surface B>
-class SlabBetween {
+class [[gsl::Pointer]] SlabBetween {
  public:
   SlabBetween(const A& a, const B& b, const Pose& ab) : a_(a), b_(b), ab_(ab) {}
 

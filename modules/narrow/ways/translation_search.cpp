@@ -58,7 +58,7 @@ void SurfaceExit::settle(Real tie, Real last) {
 
 namespace {
 
-class Search {
+class [[gsl::Pointer]] Search {
  public:
   Search(Obstacles& obstacles, const TranslationSearch& search) : obstacles_(obstacles), search_(search) {
     best_.least = search.least;

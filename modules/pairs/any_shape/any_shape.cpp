@@ -9,7 +9,7 @@ import abut.pairs.registry;
 namespace abut {
 namespace {
 
-struct KindEntry {
+struct [[gsl::Pointer]] KindEntry {
   std::string_view name;
   std::span<const std::string_view> parameter_names;
 };

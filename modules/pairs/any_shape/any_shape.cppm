@@ -60,7 +60,7 @@ struct BuildReport {
 [[nodiscard]] std::optional<BuildReport> build_report_of(const AnyShape& shape);
 
 // Why the pair of kinds at two places is answered the way it is, in words.
-struct RouteDescription {
+struct [[gsl::Pointer]] RouteDescription {
   std::string_view algorithm;
   std::string_view reason;
 };

@@ -64,7 +64,7 @@ bool has_seams(const AnyShape& shape, bool is_welded) {
 }
 
 // A child of a shape, or the shape itself.
-struct PlacedChild {
+struct [[gsl::Pointer]] PlacedChild {
   const AnyShape& shape;
   Pose pose;
 };

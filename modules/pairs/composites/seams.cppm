@@ -26,7 +26,7 @@ void leave_out_at_seams(std::span<Seam> seams, Real size);
 void settle_at_seams(std::span<Seam> seams, const BodyAtSeams& body, Real size);
 
 // A composite or another shape as a side of its contacts.
-struct PlacedSide {
+struct [[gsl::Pointer]] PlacedSide {
   const AnyShape& shape;
   Pose pose;
   bool is_b;

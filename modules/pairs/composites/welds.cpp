@@ -27,7 +27,7 @@ constexpr Real same_direction = 1e-9;
   return seam.is_b ? contact.point_b : contact.point_a;
 }
 
-class Weld {
+class [[gsl::Pointer]] Weld {
  public:
   Weld(std::span<Seam> seams, const BodyAtSeams& body)
       : seams_(seams), body_(body), body_size_(half_size_of(body.shape)) {

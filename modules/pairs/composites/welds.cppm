@@ -15,7 +15,7 @@ import abut.pairs.composites.seam_parts;
 export namespace abut {
 
 // In the frame of the seams. A body of any kind.
-struct BodyAtSeams {
+struct [[gsl::Pointer]] BodyAtSeams {
   const AnyShape& shape;
   Pose pose;
 };

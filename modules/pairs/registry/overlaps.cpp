@@ -35,7 +35,7 @@ constexpr auto roles = []<std::size_t... Places>(std::index_sequence<Places...>)
 // Builds without a kind of such a role have no code for it.
 [[nodiscard]] consteval bool has_role(Role role) { return std::ranges::find(roles, role) != roles.end(); }
 
-struct Placed {
+struct [[gsl::Pointer]] Placed {
   const AnyShape& shape;
   Pose pose;
 
@@ -100,7 +100,7 @@ constexpr auto forms_of_kinds = []<std::size_t... Places>(std::index_sequence<Pl
   return std::array<FormOfCore (*)(const AnyShape&), Shapes::count>{form_of_kind<Shapes::At<Places>>...};
 }(std::make_index_sequence<Shapes::count>{});
 
-class OverlapQuestion {
+class [[gsl::Pointer]] OverlapQuestion {
  public:
   OverlapQuestion(Real margin, OverlapRule rule, Manifold& scratch)
       : margin_(margin),

@@ -18,7 +18,7 @@ namespace abut {
 namespace {
 
 // A child, the numbers of whose triangles begin at `first`.
-struct Member {
+struct [[gsl::Pointer]] Member {
   const AnyShape* shape;
   Pose pose;
   std::uint32_t child, first;

@@ -12,7 +12,7 @@ import abut.pairs.registry;
 export namespace abut {
 
 // A pair of children, placed in one frame. A shape that is no composite is its only child.
-struct ChildPair {
+struct [[gsl::Pointer]] ChildPair {
   const AnyShape *a, *b;
   Pose pose_a, pose_b;
   std::uint32_t child_a, child_b;

@@ -29,7 +29,7 @@ namespace abut::picking {
 namespace {
 
 // The planes of a region as solids, each made when a box first crosses its plane.
-class Sides {
+class [[gsl::Pointer]] Sides {
  public:
   // With `outside` each solid is what its plane leaves out, else what it keeps.
   Sides(const Source& source, std::span<const HalfSpace> planes, bool outside)

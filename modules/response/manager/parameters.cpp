@@ -23,7 +23,7 @@ namespace abut::response {
 
 namespace {
 
-struct Name {
+struct [[gsl::Pointer]] Name {
   std::string_view name;
   double least, most;
   void (*set)(Terms&, double);

@@ -63,7 +63,7 @@ class Parameters {
   std::vector<std::pair<std::size_t, double>> given_;
 };
 
-struct Choice {
+struct [[gsl::Pointer]] Choice {
   std::uint32_t kind = 0;
   const Parameters* parameters = nullptr;         // none where null
   std::optional<std::uint32_t> rule;              // that chose

@@ -65,7 +65,7 @@ class Writer {
 };
 
 // Reads zeros from the first number on that cannot be.
-class Reader {
+class [[gsl::Pointer]] Reader {
  public:
   explicit Reader(std::span<const std::byte> bytes) : bytes_(bytes) {}
 

@@ -106,7 +106,7 @@ class Blocks {
 // The friction of the inner problem: that of the round before, or the one that belongs to the velocity.
 enum class Shift : unsigned char { kept, exact };
 
-class Rounds {
+class [[gsl::Pointer]] Rounds {
  public:
   Rounds(const Problem& problem, Solution& solution)
       : problem_(problem), solution_(solution), blocks_(problem), shifts_(problem.contacts.size()) {

@@ -25,7 +25,7 @@ struct Mobility {
   double normal, tangents, all;
 };
 
-class Sweeps {
+class [[gsl::Pointer]] Sweeps {
  public:
   Sweeps(const Problem& problem, Solution& solution) : problem_(problem), solution_(solution) {
     for (const ContactRows& contact : problem.contacts) {

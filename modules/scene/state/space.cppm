@@ -11,7 +11,7 @@ export namespace abut {
 
 // Boxes by place. A place is absent, or present and shown or hidden; a hidden one keeps its box but is in no pair and
 // no query.
-class Space {
+class [[gsl::Pointer]] Space {
  public:
   [[nodiscard]] bool is_shown(std::uint32_t place) const { return seats_[place].presence == Presence::shown; }
   // So that places below `count` can be asked for.

@@ -13,7 +13,7 @@ import abut.trees.samples.sparse_blocks;
 
 export namespace abut {
 
-struct SurfaceTriangles {
+struct [[gsl::Pointer]] SurfaceTriangles {
   std::span<const Vec3> vertices;
   std::span<const std::uint32_t> indices;  // three each, all below the number of vertices
 };
