@@ -58,9 +58,9 @@ struct Ball {
 };
 
 // The grid goes three cells beyond the triangles on each side.
-abut::AnyShape made(const Ball& ball, int samples, bool is_smooth) {
+abut::ShapeHandle made(const Ball& ball, int samples, bool is_smooth) {
   const double spacing = 2.0 / (samples - 7);
-  abut::Result<abut::AnyShape> field =
+  abut::Result<abut::ShapeHandle> field =
       abut::make_field_of_mesh(ball.xyz, ball.triangles, {spacing, 3, false, is_smooth});
   if (!field) {
     throw std::runtime_error(field.error().message);
@@ -119,7 +119,7 @@ void print_memory(const Ball& ball) {
   for (const bool is_smooth : {false, true}) {
     const double before = mebibytes_in_use();
     const auto start = std::chrono::steady_clock::now();
-    const abut::AnyShape fine = made(ball, 1024, is_smooth);
+    const abut::ShapeHandle fine = made(ball, 1024, is_smooth);
     const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
     rusage usage{};
     getrusage(RUSAGE_SELF, &usage);
@@ -132,7 +132,7 @@ void print_memory(const Ball& ball) {
 
 int run() {
   const Ball ball;
-  const abut::AnyShape linear = made(ball, 128, false), smooth = made(ball, 128, true);
+  const abut::ShapeHandle linear = made(ball, 128, false), smooth = made(ball, 128, true);
   for (const auto& [contender, shape] : {std::pair("linear", &linear), std::pair("quadratic", &smooth)}) {
     add_build(contender, ball, shape == &smooth);
     for (const bool are_close : {false, true}) {

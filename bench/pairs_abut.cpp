@@ -32,13 +32,13 @@ abut::AnyShape composite_of(const Solid& solid) {
   std::vector<abut::PlacedShape> children;
   for (const Point& p : solid.points) {
     auto box = abut::make_shape(place.value(), solid.sizes, {}, {});
-    children.push_back({abut::ShapeHandle(std::move(box).value()), pose_of({p, {1, 0, 0, 0}})});
+    children.push_back({std::move(box).value(), pose_of({p, {1, 0, 0, 0}})});
   }
   auto shape = abut::make_composite(children);
   if (!shape) {
     throw std::runtime_error(std::string(shape.error().message));
   }
-  return std::move(shape).value();
+  return *std::move(shape).value();
 }
 
 abut::AnyShape shape_of(const Solid& solid) {
@@ -53,7 +53,7 @@ abut::AnyShape shape_of(const Solid& solid) {
   if (!shape) {
     throw std::runtime_error(std::string(shape.error().message));
   }
-  return std::move(shape).value();
+  return *std::move(shape).value();
 }
 
 class Abut final : public Contender {

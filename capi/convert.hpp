@@ -10,7 +10,6 @@
 import abut.capability;
 import abut.core;
 import abut.math;
-import abut.pairs.any_shape;
 
 namespace abut::capi {
 

@@ -8,7 +8,6 @@ import abut.capability;
 import abut.core;
 import abut.math;
 import abut.pairs.any_shape;
-import abut.pairs.registry;
 import abut.universe;
 
 using namespace abut::capi;
@@ -106,7 +105,7 @@ abut_status describe(const abut_universe& its, const abut_geometry_id& geometry,
   }
   const abut::GeometryInfo& info = found.value();
   const abut::GeometryOptions& options = info.options;
-  write_struct({sizeof(abut_geometry_info), abut::Shapes::kinds[abut::kind_of(*info.shape)], from_part(info.part),
+  write_struct({sizeof(abut_geometry_info), abut::kind_number(abut::kind_of(*info.shape)), from_part(info.part),
                 its.shapes[geometry.slot - 1].get(), from_placement(info.world), from_placement(options.local),
                 options.tolerance, options.user_data, options.layers, options.mask, options.exclusion, options.label,
                 options.tag, options.material, static_cast<abut_parking>(options.parking), flags_of(options), 0},

@@ -68,7 +68,7 @@ GeometryOptions to_options(const abut_geometry_options& options) {
 }
 
 abut_status check_self_pairs(const GeometryOptions& options, const ShapeHandle& shape) {
-  const Fault fault = abut::check_self_pairs(options, (*shape).index());
+  const Fault fault = abut::check_self_pairs(options, abut::kind_in_pairs(*shape));
   return fault ? refuse_field({"options"}, *fault) : static_cast<abut_status>(ABUT_OK);
 }
 

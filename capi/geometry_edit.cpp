@@ -6,7 +6,6 @@
 
 import abut.capability;
 import abut.core;
-import abut.pairs.any_shape;
 import abut.universe;
 
 using namespace abut::capi;

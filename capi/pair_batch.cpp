@@ -4,7 +4,6 @@
 #include "pair_batch.hpp"
 
 import abut.capability;
-import abut.pairs.any_shape;
 
 namespace abut::capi {
 

@@ -7,7 +7,6 @@
 #include "pair_query.hpp"
 
 import abut.core.workers;
-import abut.pairs.any_shape;
 
 namespace abut::capi {
 

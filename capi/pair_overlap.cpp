@@ -5,7 +5,7 @@
 
 import abut.capability;
 import abut.core.workers;
-import abut.pairs.any_shape.overlap;
+import abut.pairs.two_shapes.overlap;
 
 using namespace abut::capi;
 

@@ -13,6 +13,7 @@ import abut.math;
 import abut.narrow.manifold;
 import abut.pairs.any_shape;
 import abut.pairs.composites.seams;
+import abut.pairs.two_shapes.remembered;
 
 namespace abut::capi {
 

@@ -11,7 +11,6 @@ import abut.capability;
 import abut.core;
 import abut.math;
 import abut.pairs.any_shape;
-import abut.pairs.registry;
 import abut.triangles.buffers;
 import abut.triangles.report;
 
@@ -108,11 +107,11 @@ abut_status create_composite(const abut_shape* const* children, const abut_pose*
     }
     placed.push_back({given[i]->handle, to_pose(given_poses[i]), given_materials.empty() ? 0 : given_materials[i]});
   }
-  abut::Result<abut::AnyShape> made = abut::make_composite(placed);
+  abut::Result<abut::ShapeHandle> made = abut::make_composite(placed);
   if (!made) {
     return refuse(made.error());
   }
-  *out = std::make_unique<abut_shape>(abut::ShapeHandle(std::move(made).value())).release();
+  *out = std::make_unique<abut_shape>(std::move(made).value()).release();
   return ABUT_OK;
 }
 

@@ -6,8 +6,7 @@
 #include "prelude.hpp"
 
 import abut.core.standard;
-import abut.pairs.any_shape;
-import abut.pairs.registry;
+import abut.pairs.shape_handle;
 
 struct abut_shape {
   explicit abut_shape(abut::ShapeHandle shape) : handle(std::move(shape)) {}

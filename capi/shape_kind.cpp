@@ -5,19 +5,18 @@
 #include "options.hpp"
 
 import abut.pairs.any_shape;
-import abut.pairs.registry;
 
 using namespace abut::capi;
 
 size_t abut_shape_kind_count(void) { return abut::named_kind_count; }
 
 abut_shape_kind abut_shape_kind_at(size_t index) {
-  return index < abut::named_kind_count ? abut::Shapes::kinds[index] : abut_shape_kind{0};
+  return index < abut::named_kind_count ? abut::kind_number(index) : abut_shape_kind{0};
 }
 
 abut_shape_kind abut_shape_kind_by_name(const char* name) {
   const auto place = name == nullptr ? std::nullopt : abut::find_kind(std::string_view(name));
-  return place ? abut::Shapes::kinds[*place] : abut_shape_kind{0};
+  return place ? abut::kind_number(*place) : abut_shape_kind{0};
 }
 
 const char* abut_shape_kind_name(abut_shape_kind kind) {

@@ -7,7 +7,6 @@
 import abut.core;
 import abut.pairs.any_shape;
 import abut.pairs.any_shape.sides;
-import abut.pairs.registry;
 import abut.triangles.volume;
 
 namespace abut::capi {
@@ -45,14 +44,14 @@ abut_status check_winding(const AnyShape& shape) {
 }  // namespace
 
 abut_status create(std::size_t place, const Numbers& numbers, abut_shape** out, Door door) {
-  Result<AnyShape> made = make_shape(place, numbers.parameters, numbers.reals, numbers.indices);
+  Result<ShapeHandle> made = make_shape(place, numbers.parameters, numbers.reals, numbers.indices);
   if (!made) {
     return refuse(door == Door::generic ? renamed(made.error()) : made.error());
   }
-  if (const abut_status status = check_winding(made.value()); status != ABUT_OK) {
+  if (const abut_status status = check_winding(*made.value()); status != ABUT_OK) {
     return status;
   }
-  *out = std::make_unique<abut_shape>(ShapeHandle(std::move(made).value())).release();
+  *out = std::make_unique<abut_shape>(std::move(made).value()).release();
   return ABUT_OK;
 }
 

@@ -10,7 +10,6 @@ import abut.core;
 import abut.math;
 import abut.pairs.any_shape.casts.ray_child;
 import abut.pairs.any_shape;
-import abut.pairs.registry;
 
 using namespace abut::capi;
 
@@ -146,7 +145,7 @@ abut_status cast_ray(const abut_shape* shape, const abut_pose& given_pose, const
 }  // namespace
 
 abut_shape_kind abut_shape_kind_of(const abut_shape* shape) {
-  return shape == nullptr ? abut_shape_kind{0} : abut::Shapes::kinds[abut::kind_of(shape_of(shape))];
+  return shape == nullptr ? abut_shape_kind{0} : abut::kind_number(abut::kind_of(shape_of(shape)));
 }
 
 abut_status abut_shape_parameters(const abut_shape* shape, double* parameters, size_t capacity, size_t* count) {

@@ -10,7 +10,6 @@ import abut.core;
 import abut.math;
 import abut.pairs.any_shape;
 import abut.pairs.any_shape.field_of_mesh;
-import abut.pairs.registry;
 
 using namespace abut::capi;
 
@@ -72,11 +71,11 @@ abut_status create_from_mesh(const double* xyz, std::size_t vertex_count, const 
   if (status != ABUT_OK) {
     return status;
   }
-  abut::Result<abut::AnyShape> made = abut::make_field_of_mesh(numbers.reals, numbers.indices, its);
+  abut::Result<abut::ShapeHandle> made = abut::make_field_of_mesh(numbers.reals, numbers.indices, its);
   if (!made) {
     return refuse(made.error());
   }
-  *out = std::make_unique<abut_shape>(abut::ShapeHandle(std::move(made).value())).release();
+  *out = std::make_unique<abut_shape>(std::move(made).value()).release();
   return ABUT_OK;
 }
 

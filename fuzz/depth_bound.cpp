@@ -52,7 +52,7 @@ std::optional<std::vector<Piece>> pieces_of(const Scene& scene) {
           return std::nullopt;
         }
       },
-      scene.a);
+      *scene.a);
 }
 
 // Along a unit direction, from all pieces that are met on the way; infinite where that leads through a front.

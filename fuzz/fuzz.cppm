@@ -74,7 +74,7 @@ struct ShapeInput {
 };
 
 struct Scene {
-  AnyShape a, b;
+  ShapeHandle a, b;
   Pose ab;
   Real margin;
   Real size;  // largest magnitude of any length in the scene

@@ -42,6 +42,7 @@ bool is_two_sided(const AnyShape& shape) {
       },
       shape);
 }
+
 // Whether contacts are found from all sides.
 bool has_back(const AnyShape& shape) {
   return std::visit(
@@ -50,20 +51,6 @@ bool has_back(const AnyShape& shape) {
           return !s.has_fronts();
         } else {
           return Convex<S> || HalfSpace<S> || SampledSolid<S> || Hole<S>;
-        }
-      },
-      shape);
-}
-
-// A solid with holes is as far away as the nearest contact that the holes leave (docs/shapes.md). That one may lie
-// beside the nearest points of the solids.
-bool has_holes(const AnyShape& shape) {
-  return std::visit(
-      []<class S>(const S& s) {
-        if constexpr (Assembly<S>) {
-          return !s.holes().empty();
-        } else {
-          return false;
         }
       },
       shape);
@@ -217,7 +204,8 @@ Verdict judge_swap(const Scene& scene, const Distance& found) {
 // Apart boxes mean apart shapes. Without a surface, values stand in for one, and there is no upper bound.
 Verdict judge_boxes(const Scene& scene, const Distance& found) {
   const bool is_bounded = found.upper < std::numeric_limits<Real>::infinity();
-  if (scene.a.is_hole() || scene.b.is_hole() || (!is_bounded && (has_no_surface(scene.a) || has_no_surface(scene.b)))) {
+  if (scene.a->is_hole() || scene.b->is_hole() ||
+      (!is_bounded && (has_no_surface(scene.a) || has_no_surface(scene.b)))) {
     return std::nullopt;
   }
   const Aabb a = aabb_of(scene.a, Pose::identity()), b = aabb_of(scene.b, scene.ab);
@@ -283,7 +271,8 @@ bool is_depth_of_surface(const Scene& scene, const Distance& found) {
 }
 
 Verdict judge_distance(const Scene& scene, const Distance& found) {
-  // The deepest point of a solid in a field may lie below its surface.
+  // The deepest point of a solid in a field may lie below its surface. What holes leave of a
+  // solid may be nearest beside the nearest points of the solids (docs/shapes.md).
   const bool must_be_outermost =
       !has_holes(scene.a) && !has_holes(scene.b) && doubt_of(scene) == 0 && !is_depth_of_surface(scene, found);
   const Claim claim{must_be_outermost, !(found.upper < std::numeric_limits<Real>::infinity())};

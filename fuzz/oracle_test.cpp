@@ -127,12 +127,14 @@ TEST(FuzzOracle, TakesAnyContactForTheDistanceOfWhatHolesLeave) {
   for (const char* kind : {"segment", "sphere_hole"}) {
     if (!find_kind(std::string_view(kind))) GTEST_SKIP() << "this build lacks " << kind;
   }
-  const AnyShape solid = make_shape(box(), std::array{1.0, 1.0, 1.0}, {}, {}).value();
-  const AnyShape hole = make_shape(find_kind(std::string_view("sphere_hole")).value(), std::array{0.5}, {}, {}).value();
-  const PlacedShape placed_solid{Frozen<AnyShape>(solid), Pose::identity()},
-      placed_hole{Frozen<AnyShape>(hole), {Rotation::identity(), {1, 0, 0}}};
+  const ShapeHandle solid = make_shape(box(), std::array{1.0, 1.0, 1.0}, {}, {}).value();
+  const ShapeHandle hole =
+      make_shape(find_kind(std::string_view("sphere_hole")).value(), std::array{0.5}, {}, {}).value();
+  const PlacedShape placed_solid{ShapeHandle(solid), Pose::identity()},
+      placed_hole{ShapeHandle(hole), {Rotation::identity(), {1, 0, 0}}};
   // A needle over the hole, askew, and from beside the hole to the end that is further away.
-  const AnyShape needle = make_shape(find_kind(std::string_view("segment")).value(), std::array{0.5}, {}, {}).value();
+  const ShapeHandle needle =
+      make_shape(find_kind(std::string_view("segment")).value(), std::array{0.5}, {}, {}).value();
   const Pose askew{Rotation::from({0.9, 0, 0.2, 0}), {2, 0, 0}};
   const Vec3 end = askew * Vec3{0, 0, 0.5};
   const Real distance = end.x - 1;
@@ -207,8 +209,8 @@ TEST(FuzzOracle, RefusesContactsDeeperThanWhatPartsASurface) {
   if (!mesh) GTEST_SKIP() << "this build lacks meshes";
   const std::array<Real, 12> corners{0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0};
   const std::array<std::uint32_t, 6> triangles{0, 1, 2, 0, 2, 3};
-  const AnyShape square = make_shape(*mesh, std::array{0.0}, corners, triangles).value(),
-                 cube = make_shape(box(), std::array{0.25, 0.25, 0.25}, {}, {}).value();
+  const ShapeHandle square = make_shape(*mesh, std::array{0.0}, corners, triangles).value(),
+                    cube = make_shape(box(), std::array{0.25, 0.25, 0.25}, {}, {}).value();
   const Scene upright{square, cube, {Rotation::identity(), {0.5, 0.5, 0.15}}, 0, 1};
   for (const bool is_swapped : {false, true}) {
     const Scene scene = is_swapped ? swapped(upright) : upright;
@@ -238,10 +240,10 @@ TEST(FuzzOracle, KnowsNoWayThroughAFront) {
   const Real gap = 3e-10;
   const std::array<Real, 18> corners{0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, gap, 0, 1, gap, 1, 0, gap};
   const std::array<std::uint32_t, 6> triangles{0, 1, 2, 3, 4, 5};
-  const AnyShape plate = make_shape(box(), std::array{0.25, 0.25, 2e-10}, {}, {}).value();
+  const ShapeHandle plate = make_shape(box(), std::array{0.25, 0.25, 2e-10}, {}, {}).value();
   const Pose between{Rotation::identity(), {0.25, 0.25, 0.5 * gap}};
   const auto bound = [&](Real is_one_sided) {
-    const AnyShape walls = make_shape(*mesh, std::array{is_one_sided}, corners, triangles).value();
+    const ShapeHandle walls = make_shape(*mesh, std::array{is_one_sided}, corners, triangles).value();
     const Manifold along_x{
         {.point_a = {}, .point_b = {}, .normal = {-1, 0, 0}, .distance = 0, .feature_a = {}, .feature_b = {}, .id = 0}};
     return depth_bound({walls, plate, between, 0, 1}, along_x).value_or(0);
@@ -256,9 +258,9 @@ TEST(FuzzOracle, RefusesContactsLessDeepThanTwoParts) {
   if (!mesh) GTEST_SKIP() << "this build lacks meshes";
   const std::array<Real, 12> corners{0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0};
   const std::array<std::uint32_t, 6> triangles{0, 1, 2, 0, 2, 3};
-  const AnyShape square = make_shape(*mesh, std::array{0.0}, corners, triangles).value(),
-                 front = make_shape(*mesh, std::array{1.0}, corners, triangles).value(),
-                 cube = make_shape(box(), std::array{0.25, 0.25, 0.25}, {}, {}).value();
+  const ShapeHandle square = make_shape(*mesh, std::array{0.0}, corners, triangles).value(),
+                    front = make_shape(*mesh, std::array{1.0}, corners, triangles).value(),
+                    cube = make_shape(box(), std::array{0.25, 0.25, 0.25}, {}, {}).value();
   const Pose sunk{Rotation::identity(), {0.5, 0.5, 0.15}};
   const Scene scene{square, cube, sunk, 0, 1};
   EXPECT_NEAR(least_depth(scene, {}, 0).value_or(0), 0.1, 1e-9);

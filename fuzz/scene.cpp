@@ -367,11 +367,11 @@ Result<Scene> make_scene(std::size_t place_a, std::size_t place_b, const Record&
     }
     return make_shape(place, input.parameters, input.reals, input.indices);
   };
-  Result<AnyShape> a = shape(place_a, record.a, has(flat_a), has(doubled_a));
+  Result<ShapeHandle> a = shape(place_a, record.a, has(flat_a), has(doubled_a));
   if (!a) {
     return a.error();
   }
-  Result<AnyShape> b = shape(place_b, record.b, has(flat_b), has(doubled_b));
+  Result<ShapeHandle> b = shape(place_b, record.b, has(flat_b), has(doubled_b));
   if (!b) {
     return b.error();
   }

@@ -21,18 +21,18 @@ bool describe_a_box() {
 }
 
 // A kind by its name, as a file would give it.
-abut::Result<abut::AnyShape> make(const char* name, std::span<const double> parameters) {
+abut::Result<abut::ShapeHandle> make(const char* name, std::span<const double> parameters) {
   const auto place = abut::find_kind(name);
   if (!place) return abut::Error{abut::Errc::unknown_value, std::string("no kind is called ") + name};
   return abut::make_shape(*place, parameters, {}, {});
 }
 
-bool ask_a_universe(const abut::AnyShape& cone) {
+bool ask_a_universe(const abut::ShapeHandle& cone) {
   abut::Universe universe({.broadphase = abut::BroadphaseKind::tree}, 1);
   std::array<abut::PartOptions, 2> options;
   options[0].motion = abut::MotionKind::fixed;
   options[1].placement.position = {0.0, 0.0, 1.5};
-  const std::array<abut::ShapeHandle, 2> shapes{abut::ShapeHandle(cone), abut::ShapeHandle(cone)};
+  const std::array<abut::ShapeHandle, 2> shapes{cone, cone};
   const auto parts = universe.create_parts(options);
   if (!parts) return false;
   const auto geometries = universe.create_geometries(parts.value(), shapes, {});

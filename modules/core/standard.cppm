@@ -78,6 +78,7 @@ using std::fmin;
 using std::fopen;
 using std::forward;
 using std::function;
+
 using std::get;
 using std::get_if;
 using std::hash;
@@ -134,6 +135,7 @@ using std::optional;
 using std::pair;
 using std::partition;
 using std::ptrdiff_t;
+using std::ref;
 using std::remove_const_t;
 using std::remove_if;
 using std::remove_reference_t;

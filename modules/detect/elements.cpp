@@ -11,7 +11,6 @@ import abut.detect.pairs;
 import abut.detect.pairs.refresh;
 import abut.math;
 import abut.pairs.any_shape;
-import abut.pairs.registry;
 import abut.proximity.body;
 import abut.proximity.closest;
 import abut.proximity.first_touches;
@@ -86,12 +85,7 @@ struct FeatureKinds {
 
 }  // namespace
 
-bool has_elements(std::size_t kind) {
-  static constexpr auto have_elements = []<class... S>(const std::variant<S...>*) {
-    return std::array<bool, sizeof...(S)>{Triangulated<S>...};
-  }(static_cast<const AnyShape::Variant*>(nullptr));
-  return have_elements[kind];
-}
+bool has_elements(std::size_t kind) { return has_triangles(kind); }
 
 bool ElementStage::is_of(const Run& run, const Pair& pair) {
   return std::tie(run.low, run.high, run.generation_low, run.generation_high) ==

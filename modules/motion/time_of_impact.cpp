@@ -9,7 +9,6 @@ import abut.math;
 import abut.math.tolerance;
 import abut.motion.impacts.best_impact;
 import abut.motion.impacts.convex_impact;
-import abut.motion.impacts.convex_part;
 import abut.motion.impacts.impact_search;
 import abut.motion.impacts.moving_surfaces;
 import abut.motion.paths.path;
@@ -17,46 +16,12 @@ import abut.motion.paths.relative_motion;
 import abut.motion.impacts.whole_impact;
 import abut.pairs.any_shape;
 import abut.pairs.any_shape.casts.starting_touch;
-import abut.pairs.registry;
+import abut.pairs.taken_apart.shape_parts;
 
 namespace abut {
 namespace {
 
-// What a kind is, by its place in the registry.
-struct KindTraits {
-  bool is_half_space, is_assembly, has_only_distances, has_parts, is_surface;
-};
-constexpr auto kind_traits = []<std::size_t... Places>(std::index_sequence<Places...>) {
-  return std::array{KindTraits{HalfSpace<Shapes::At<Places>>, Assembly<Shapes::At<Places>>,
-                               Hole<Shapes::At<Places>> || SampledSolid<Shapes::At<Places>>,
-                               Surface<Shapes::At<Places>> || Scattered<Shapes::At<Places>>,
-                               Surface<Shapes::At<Places>>}...};
-}(std::make_index_sequence<Shapes::count>{});
-
-const KindTraits& traits_of(const AnyShape& shape) { return kind_traits[shape.index()]; }
-
-bool is_asked_as_a_whole(const AnyShape& shape) { return shape.has_holes() || traits_of(shape).has_only_distances; }
-
-// Calls visit(part, place of the part in the shape, child) for the convex parts near a box in the frame of the shape.
-template <class Visitor>
-void visit_parts(const AnyShape& shape, const Aabb& near, Visitor&& visit) {
-  Aabb box = near;
-  std::visit(
-      [&]<class S>(const S& s) {
-        if constexpr (Surface<S>) {
-          s.visit_parts(box, [&](const Triangle& part, std::uint32_t) {
-            visit(ConvexPart::of(part), Pose::identity(), std::uint32_t{0});
-          });
-        } else if constexpr (Scattered<S>) {
-          s.visit_places(box, [&](const Vec3& place, std::uint32_t index) {
-            visit(ConvexPart::of(s.part(index)), Pose{Rotation::identity(), place}, index);
-          });
-        } else if (const auto part = ConvexPart::of(shape)) {
-          visit(*part, Pose::identity(), std::uint32_t{0});
-        }
-      },
-      variant_of(shape));
-}
+bool is_asked_as_a_whole(const AnyShape& shape) { return has_holes(shape) || traits_of(shape).has_only_distances; }
 
 // a is made of parts; b may be. Time is halved until the box around the way of b is not much larger than b.
 void meet_in_span(const Subject& a, const Subject& b, const TimeSpan& given, int depth, Search& search) {
@@ -82,7 +47,7 @@ void meet_in_span(const Subject& a, const Subject& b, const TimeSpan& given, int
   const ConvexPart none = ConvexPart::of(Ball(0));
   MovingPair pair{moving_part(none, a.on.path, a.on.local), moving_part(whole_b.value_or(none), b.on.path, b.on.local),
                   search.settings};
-  visit_parts(a.shape, near_a, [&](const ConvexPart& part, const Pose& place, std::uint32_t child) {
+  const auto meet_part = [&](const ConvexPart& part, const Pose& place, std::uint32_t child) {
     const Pose local = a.on.local * place;
     pair.a = moving_part(part, a.on.path, local);
     const std::uint32_t child_a = a.child + child;
@@ -91,11 +56,13 @@ void meet_in_span(const Subject& a, const Subject& b, const TimeSpan& given, int
       return;
     }
     const Aabb near_b = relative_box(b.on.path, b.on.local, a.on.path, part.aabb(local), span).box.inflated(slack);
-    visit_parts(b.shape, near_b, [&](const ConvexPart& part_b, const Pose& place_b, std::uint32_t child_b) {
+    const auto meet_both = [&](const ConvexPart& part_b, const Pose& place_b, std::uint32_t child_b) {
       pair.b = moving_part(part_b, b.on.path, b.on.local * place_b);
       meet_parts(pair, span, child_a, b.child + child_b, search);
-    });
-  });
+    };
+    visit_parts(b.shape, near_b, std::ref(meet_both));
+  };
+  visit_parts(a.shape, near_a, std::ref(meet_part));
 }
 
 void meet(const Subject& a, const Subject& b, Search& search);
@@ -111,29 +78,23 @@ void meet_turned_over(const Subject& a, const Subject& b, Search& search) {
 void meet_children(const Subject& a, const Subject& b, Search& search) {
   const TimeSpan span = search.span();
   const Aabb way = relative_box(a.on.path, a.on.local, b.on.path, b.box, span).box.inflated(search.slack());
-  std::visit(
-      [&]<class S>(const S& s) {
-        if constexpr (Assembly<S>) {
-          s.visit_children(way, [&](std::uint32_t child) {
-            const auto& its = s.children()[child];
-            const Pose local = a.on.local * its.pose;
-            meet({*its.shape, {a.on.path, local}, child, aabb_of(*its.shape, local)}, b, search);
-          });
-        }
-      },
-      variant_of(a.shape));
+  const auto meet_child = [&](const AnyShape& shape, const Pose& pose, std::uint32_t child) {
+    const Pose local = a.on.local * pose;
+    meet({shape, {a.on.path, local}, child, aabb_of(shape, local)}, b, search);
+  };
+  visit_children(a.shape, way, std::ref(meet_child));
 }
 
 // Which of two shapes is taken apart first, or asked as what it is: the higher one.
 int rank_of(const AnyShape& shape) {
-  const KindTraits& traits = traits_of(shape);
+  const ShapeTraits& traits = traits_of(shape);
   return traits.is_assembly ? 3 : traits.is_half_space ? 2 : traits.has_parts ? 1 : 0;
 }
 
 void meet(const Subject& a, const Subject& b, Search& search) {
   const TimeSpan span = search.span();
   const auto add = [&](const WholeImpact& found) { search.add(found.outcome, found.impact, a.child, b.child); };
-  if (!is_supported(a.shape.index(), b.shape.index())) {
+  if (!is_supported(kind_in_pairs(a.shape), kind_in_pairs(b.shape))) {
     add({Outcome::unsupported, {}});
   } else if (is_asked_as_a_whole(a.shape) || is_asked_as_a_whole(b.shape)) {
     add(distance_impact(a.shape, a.on, b.shape, b.on, span, search.settings));

@@ -6,7 +6,6 @@ import abut.core.standard;
 import abut.math;
 export import abut.motion.paths.path;
 import abut.pairs.any_shape;
-import abut.pairs.registry;
 
 export namespace abut {
 

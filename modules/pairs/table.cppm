@@ -71,19 +71,6 @@ struct Registry<AnyOf, Forms<FormEntries...>, Entries...> {
   static_assert((Shape<typename Entries::shape> && ...), "a registered class does not model the concept Shape");
 };
 
-// One pair of geometries of a run of pairs with the same two kinds.
-struct PairJob {
-  std::uint32_t a, b;  // places in the arrays of shapes and poses
-  Real margin;
-  std::uint32_t memory = no_memory;  // place in the array of memories
-};
-
-// What a run of pairs left behind: where the contacts of each job end, and how it went.
-struct PairResult {
-  std::uint32_t contacts_end;
-  Outcome outcome;
-};
-
 // The kernels of a pair of kinds. Single pairs are asked about in the world, with the sides swapped on
 // demand, so that closed forms stay in registers from the poses to the answer.
 template <class Any>
@@ -109,35 +96,6 @@ struct PairKernels {
   Outcome (*distance_from_hint)(const Any& a, const Any& b, const Pose& pose_a, const Pose& pose_b, bool swapped,
                                 const QuerySettings& settings, PairHint& hint, Distance& out) = nullptr;
 };
-
-// Contacts of a run of pairs of the same two kinds, in the frames of the first shapes: much of that is dropped before
-// it is moved.
-template <class Any>
-void contacts_of_run(const PairKernels<Any>& kernels, std::span<const Frozen<Any>> shapes, std::span<const Pose> poses,
-                     std::span<const PairJob> jobs, const QuerySettings& common, std::span<PairMemory> memories,
-                     Manifold& out, std::span<PairResult> results) {
-  QuerySettings settings = common;
-  // Poses and memories of the pairs of a run lie anywhere.
-  constexpr std::size_t ahead = 4;
-  for (std::size_t i = 0; i < jobs.size(); ++i) {
-    if (i + ahead < jobs.size()) {
-      const PairJob& next = jobs[i + ahead];
-      __builtin_prefetch(&poses[next.a].rotation);
-      __builtin_prefetch(&poses[next.a].position);
-      __builtin_prefetch(&poses[next.b].rotation);
-      __builtin_prefetch(&poses[next.b].position);
-      if (next.memory != no_memory) {
-        __builtin_prefetch(&memories[next.memory]);
-      }
-    }
-    const PairJob& job = jobs[i];
-    settings.margin = job.margin;
-    PairMemory* const memory = job.memory == no_memory ? nullptr : &memories[job.memory];
-    const Outcome outcome = kernels.contacts_in_frame(*shapes[job.a], *shapes[job.b],
-                                                      relative(poses[job.a], poses[job.b]), settings, memory, out);
-    results[i] = {static_cast<std::uint32_t>(out.size()), outcome};
-  }
-}
 
 // The order in which two shapes were given. Which of two shapes of one kind comes first may change as they move.
 struct GivenOrder {

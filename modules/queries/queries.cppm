@@ -10,7 +10,6 @@ import abut.core.standard;
 import abut.core;
 import abut.math;
 export import abut.motion.time_of_impact;
-import abut.pairs.registry;
 import abut.scene;
 
 export namespace abut {

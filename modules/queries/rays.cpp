@@ -7,7 +7,6 @@ import abut.math;
 import abut.math.tolerance;
 import abut.pairs.any_shape.casts.ray_child;
 import abut.pairs.any_shape;
-import abut.pairs.registry;
 import abut.queries.filter;
 import abut.scene;
 
@@ -18,35 +17,6 @@ Real touching_at(const AnyShape& shape, const Vec3& point) {
   const Aabb box = aabb_of(shape, Pose::identity());
   const Real size = box.is_bounded() ? std::max(largest_magnitude(box.low), largest_magnitude(box.high)) : 0;
   return touching_distance(size + largest_magnitude(point));
-}
-
-// Whether a shape holds a point of its own frame, or comes within `reach` of it.
-bool holds(const AnyShape& shape, const Vec3& point, Real reach) {
-  return std::visit(
-      [&]<class S>(const S& s) {
-        if constexpr (Assembly<S>) {
-          const auto children = s.children();
-          const auto is_cut = [&](std::uint32_t solid) {
-            return std::ranges::any_of(s.holes(), [&](const auto& hole) {
-              const auto& cavity = children[hole.child];
-              return hole.begin <= solid && solid < hole.end &&
-                     cavity.shape->cavity_holds(cavity.pose.undo(point), std::max(reach, Real{0}));
-            });
-          };
-          bool is_held = false;
-          s.visit_children(Aabb{point, point}.inflated(std::max(reach, Real{0})), [&](std::uint32_t child) {
-            is_held =
-                is_held || (holds(*children[child].shape, children[child].pose.undo(point), reach) && !is_cut(child));
-          });
-          return is_held;
-        } else if constexpr (Hole<S>) {
-          return false;
-        } else {
-          const auto found = shape.distance_to(point);
-          return found && found->distance <= reach;
-        }
-      },
-      static_cast<const AnyShape::Variant&>(shape));
 }
 
 std::optional<RayContact> cast_at(const Scene& scene, std::uint32_t place, const Ray& ray, Real limit, RayStart start) {

@@ -5,7 +5,7 @@ import abut.capability;
 import abut.core.standard;
 import abut.math;
 import abut.math.tolerance;
-import abut.pairs.any_shape.overlap;
+import abut.pairs.two_shapes.overlap;
 import abut.pairs.any_shape;
 import abut.queries.filter;
 import abut.scene;

@@ -135,7 +135,7 @@ void Scene::load(ByteReader& in, const Workers& workers) {
     const std::uint32_t at = id.slot - 1;
     const SavedPlace& its = saved[number++];
     places_.shapes[at] = shapes.all()[its.shape];
-    places_.infos[at].kind = static_cast<std::uint8_t>((*places_.shapes[at]).index());
+    places_.infos[at].kind = static_cast<std::uint8_t>(kind_in_pairs(*places_.shapes[at]));
     apply_options(id);
     parked_count_ += geometry.options.parking != Parking::none ? 1 : 0;
     places_.worlds[at] = its.world;

@@ -132,7 +132,7 @@ Result<std::vector<GeometryId>> Scene::create_geometries(std::span<const PartId>
     }
   }
   for (std::size_t i = 0; i < options.size(); ++i) {
-    if (Fault fault = check_self_pairs(options[i], (*shapes[i]).index())) {
+    if (Fault fault = check_self_pairs(options[i], kind_in_pairs(*shapes[i]))) {
       return Error{fault->code, name_at("options", i) + "." + fault->message};
     }
   }
@@ -153,7 +153,7 @@ Result<std::vector<GeometryId>> Scene::create_geometries(std::span<const PartId>
       places_.shapes[id.slot - 1] = shapes[i];
       places_.infos[id.slot - 1] = {};
       places_.happened[id.slot - 1] = 0;
-      places_.infos[id.slot - 1].kind = static_cast<std::uint8_t>((*shapes[i]).index());
+      places_.infos[id.slot - 1].kind = static_cast<std::uint8_t>(kind_in_pairs(*shapes[i]));
       apply_options(id);
       change(id);
     }
@@ -210,7 +210,7 @@ Result<void> Scene::set_shapes(std::span<const GeometryId> geometries, std::span
   for (std::size_t i = 0; i < geometries.size(); ++i) {
     const std::uint32_t place = geometries[i].slot - 1;
     places_.shapes[place] = shapes[i];
-    places_.infos[place].kind = static_cast<std::uint8_t>((*shapes[i]).index());
+    places_.infos[place].kind = static_cast<std::uint8_t>(kind_in_pairs(*shapes[i]));
     places_.note(place, happened_to_shape);
     places_.infos[place].is_box_stale = true;
     change(geometries[i]);

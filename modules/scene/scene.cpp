@@ -5,7 +5,6 @@ import abut.core.standard;
 import abut.core;
 import abut.math;
 import abut.pairs.any_shape;
-import abut.pairs.registry;
 import abut.scene.meetings.checks;
 import abut.scene.journal;
 import abut.scene.meetings;
@@ -35,7 +34,7 @@ Scene::Scene(const UniverseOptions& options, std::uint32_t number)
     : options_(options),
       parts_(first_generation(number, 1)),
       geometries_(first_generation(number, 0x80000001)),
-      places_(ShapeHandle(AnyShape(Shapes::At<0>::samples().front()))) {}
+      places_(sample_shape()) {}
 
 void Scene::end_detection() { is_stepping_ = false; }
 

@@ -8,7 +8,6 @@ import abut.core.workers;
 import abut.core;
 import abut.math;
 import abut.pairs.any_shape;
-import abut.pairs.registry;
 import abut.scene.state.changes;
 export import abut.scene.rest.focus;
 import abut.scene.rest.focus_tags;

@@ -9,7 +9,6 @@ import abut.detect.pairs;
 import abut.math;
 import abut.pairs.any_shape;
 import abut.pairs.any_shape.sides;
-import abut.pairs.registry;
 import abut.scene.meetings.checks;
 import abut.scene.meetings;
 import abut.scene.state.places;
@@ -66,9 +65,9 @@ bool has_triangle_near(const AnyShape& surface, const Pose& pose, const AnyShape
       triangles->indices.insert(triangles->indices.end(), {all[i], all[i + 1], all[i + 2]});
     }
   }
-  const std::optional<AnyShape> sheet = make_sheet(*triangles);
+  const std::optional<ShapeHandle> sheet = make_sheet(*triangles);
   Distance found;
-  return sheet && pair_distance(*sheet, other, pose, other_pose, {}, found) == Outcome::ok && found.distance <= margin;
+  return sheet && pair_distance(**sheet, other, pose, other_pose, {}, found) == Outcome::ok && found.distance <= margin;
 }
 
 }  // namespace

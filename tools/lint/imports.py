@@ -9,7 +9,7 @@ _NAMED = re.compile(r"^\s*(?:(?:export\s+)?import|module)\s+([\w.]+)\s*;", re.MU
 _INCLUDED = re.compile(r'^\s*#\s*include\s*"([^"]+)"', re.MULTILINE)
 
 # Those who ask the table of pairs, and so see no kernel.
-ASKERS = ("modules/pairs/table.cppm", "modules/pairs/routes.cppm", "modules/pairs/any_shape", "modules/narrow/manifold", "modules/scene", "modules/detect", "modules/queries", "modules/report", "modules/universe", "modules/picking", "modules/response", "capi")
+ASKERS = ("modules/pairs/table.cppm", "modules/pairs/routes.cppm", "modules/pairs/any_shape", "modules/pairs/two_shapes", "modules/pairs/shape_handle.cppm.in", "modules/narrow/manifold", "modules/scene", "modules/detect", "modules/queries", "modules/report", "modules/universe", "modules/picking", "modules/response", "capi")
 KERNELS = ("modules/narrow", "modules/pairs/rows")
 # Records that callers keep or read, and what works on records alone.
 RECORDS = (

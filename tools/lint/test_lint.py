@@ -196,6 +196,10 @@ TREES = {
         ),
         ({**BOX, "modules/shapes/ball.cppm": ""}, {**BOX, "modules/shapes/box/faces.cppm": ""}),
     ],
+    "sees_shapes": [
+        ({"modules/universe/a.cpp": "import abut.pairs.registry;"}, {"modules/universe/a.cpp": "import abut.pairs.shape_handle;"}),
+        ({"capi/a.hpp": "import abut.shapes.box;"}, {"modules/pairs/rows/a.cpp": "import abut.shapes.box;"}),
+    ],
     "shape_name": [
         ({**BOX, "modules/universe/a.cppm": "Box b;"}, {**BOX, "modules/universe/a.cppm": "Boxes b; // Box"}),
         ({**BOX, "modules/universe/a.cppm": "class Box;\nBox b;"}, {**BOX, "modules/universe/a.cppm": "class alignas(8) Box {};\nBox b;"}),

@@ -12,6 +12,8 @@ HEADERS = {"include/abut/abut.h": "capi/symbols.txt", "include/abut/picking.h": 
            "include/abut/response.h": "capi/response_symbols.txt"}
 PROTOTYPE = r"\bABUT_API\b[^;{}()]*?\b(abut_\w+)\s*\("
 
+# Two surfaces that move are asked for each triangle, and programs in C++ may use any shape.
+MAY_SEE_SHAPES = ("modules/shapes", "modules/pairs", "modules/motion/impacts/moving_surfaces.cpp", "modules/abut.cppm")
 # Besides the shape's own file, which is checked by name: the typed shorthands of the C interface may name shapes.
 MAY_NAME_SHAPES = ("capi/shape.cpp", "capi/shape_simple.cpp", "capi/shape_particles.cpp")
 
@@ -50,7 +52,7 @@ LAYERS = [
     ("pairs/rows",),
     ("pairs/registry", "pairs/composites", "pairs/surfaces"),
     ("pairs/any_shape",),
-    ("pairs/any_shape/casts",),
+    ("pairs/any_shape/casts", "pairs/two_shapes", "pairs/taken_apart"),
     ("motion", "motion/impacts", "motion/paths"),
     ("scene", "scene/state", "scene/meetings", "scene/rest"),
     ("detect", "detect/pairs"),
@@ -150,6 +152,14 @@ def shape_name(sources):
                 yield path, line, f"names the shape {match[0]}"
 
 
+def sees_shapes(sources):
+    """What sees a kind of shape is compiled again where one changes: nobody above pairs does."""
+    for path, source in sources.items():
+        if source.is_cxx and source.within("modules", "capi") and not source.within(*MAY_SEE_SHAPES):
+            for line, match in source.find(r"^\s*(?:export\s+)?import\s+abut\.(?:pairs\.registry|shapes\.\w+)\s*;", source.code):
+                yield path, line, f"sees every shape: {match[0].strip()}"
+
+
 def glossary(sources):
     """Each word has one meaning."""
     page = sources.get("docs/glossary.md")
@@ -211,4 +221,4 @@ def symbol_list(sources):
             yield listed_in, 1, "not sorted, or a name occurs twice"
 
 
-TREE_RULES = [layer_order, room_size, glossary, kernel_reach, unused_import, registry, shape_name, header, symbol_list]
+TREE_RULES = [layer_order, room_size, glossary, kernel_reach, unused_import, registry, sees_shapes, shape_name, header, symbol_list]

@@ -12,6 +12,8 @@ class Frozen {
   explicit Frozen(T value) : data_(std::make_shared<T>(std::move(value))) {}
 
   [[nodiscard]] inline const T& operator*() const [[clang::lifetimebound]] { return *data_; }
+  // A plain T to those who ask for one.
+  [[nodiscard]] inline operator const T&() const [[clang::lifetimebound]] { return *data_; }
   [[nodiscard]] inline const T* operator->() const [[clang::lifetimebound]] { return data_.get(); }
   [[nodiscard]] bool same_as(const Frozen& other) const noexcept { return data_ == other.data_; }
 

@@ -4,7 +4,7 @@ import abut.core.standard;
 import abut.core;
 import abut.math;
 import abut.pairs.any_shape;
-import abut.pairs.registry;
+import abut.pairs.two_shapes.runs;
 import abut.pairs.routes;
 import abut.pairs.table;
 import abut.scene.state.options;
@@ -47,8 +47,8 @@ JobList::JobList() {
   for (std::size_t row = 0; row < shape_kind_count; ++row) {
     for (std::size_t column = row; column < shape_kind_count; ++column) {
       supported_[run_of(row, column)] = abut::is_supported(row, column);
-      gains_from_memory_[run_of(row, column)] = pair_kernels(row, column).gains_from_memory;
-      chunk_sizes_[run_of(row, column)] = chunk_size_of(pair_kernels(row, column).route);
+      gains_from_memory_[run_of(row, column)] = abut::gains_from_memory(row, column);
+      chunk_sizes_[run_of(row, column)] = chunk_size_of(route_of(row, column));
     }
     supported_[self_run_of(row)] = meets_itself(row);
     chunk_sizes_[self_run_of(row)] = of_two_with_parts;

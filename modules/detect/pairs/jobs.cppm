@@ -8,7 +8,7 @@ import abut.core;
 import abut.math;
 import abut.narrow.manifold;
 import abut.pairs.any_shape;
-import abut.pairs.table;
+import abut.pairs.pair_job;
 import abut.scene.state.options;
 import abut.detect.pairs;
 import abut.scene.state.places;

@@ -9,12 +9,12 @@ import abut.detect.pairs.sides;
 import abut.detect.pairs.stopwatch;
 import abut.math;
 import abut.narrow.manifold;
-import abut.pairs.any_shape.overlap;
+import abut.pairs.two_shapes.overlap;
 import abut.pairs.any_shape;
 import abut.pairs.composites.seams;
 import abut.pairs.composites.self_contacts;
-import abut.pairs.registry;
-import abut.pairs.table;
+import abut.pairs.two_shapes.runs;
+import abut.pairs.pair_job;
 import abut.scene.state.options;
 import abut.scene.state.places;
 import abut.scene.meetings.policies;
@@ -119,9 +119,8 @@ void find_in_chunk(std::size_t number, const UniverseOptions& options, const Pol
     if (is_self_run(chunk.run)) {
       self_contacts_of_run(places.shapes, some, its, scratch.points, results);
     } else {
-      const auto& kernels = pair_kernels(chunk.run / shape_kind_count, chunk.run % shape_kind_count);
-      contacts_of_run<AnyShape>(kernels, places.shapes, places.worlds, some, its, pairs.memories(), scratch.points,
-                                results);
+      const RunKinds kinds{chunk.run / shape_kind_count, chunk.run % shape_kind_count};
+      contacts_of_run(kinds, places.shapes, places.worlds, some, its, pairs.memories(), scratch.points, results);
     }
   };
   run(its_jobs, settings, scratch.results);

@@ -3,7 +3,7 @@ module abut.detect.pairs;
 import abut.broadphase;
 import abut.core.standard;
 import abut.core.workers;
-import abut.narrow.warm.pair_memory;
+import abut.pairs.two_shapes.runs;
 import abut.scene.state.options;
 import abut.scene.state.places;
 
@@ -89,13 +89,12 @@ void PairStore::give_memory(Pair& pair) {
     return;
   }
   if (free_memories_.empty()) {
-    pair.memory = static_cast<std::uint32_t>(memories_.size());
-    memories_.push_back({});
+    pair.memory = memories_.add();
     return;
   }
   pair.memory = free_memories_.back();
   free_memories_.pop_back();
-  memories_[pair.memory] = {};
+  memories_.forget(pair.memory);
 }
 
 void PairStore::lose(std::span<const Pair> pairs) {
@@ -112,8 +111,7 @@ std::size_t PairStore::bytes() const {
     pairs += part.lost.capacity();
     numbers += part.free_memories.capacity();
   }
-  return pairs * sizeof(Pair) + numbers * sizeof(std::uint32_t) + memories_.capacity() * sizeof(PairMemory) +
-         parts_.capacity() * sizeof(Part);
+  return pairs * sizeof(Pair) + numbers * sizeof(std::uint32_t) + memories_.bytes() + parts_.capacity() * sizeof(Part);
 }
 
 }  // namespace abut

@@ -4,7 +4,7 @@ export module abut.detect.pairs;
 import abut.broadphase;
 import abut.core.standard;
 import abut.core.workers;
-import abut.narrow.warm.pair_memory;
+import abut.pairs.two_shapes.runs;
 import abut.scene.state.options;
 import abut.scene.state.places;
 
@@ -90,7 +90,7 @@ class PairStore {
   void lose(std::span<const Pair> pairs);
 
   // What the narrow phase keeps of pairs; a place is given to a pair that has none yet, and ends with the pair.
-  [[nodiscard]] inline std::span<PairMemory> memories() [[clang::lifetimebound]] { return memories_; }
+  [[nodiscard]] inline PairMemories& memories() [[clang::lifetimebound]] { return memories_; }
   void give_memory(Pair& pair);
 
   // Takes what the broad phase found. New pairs are as a Pair starts. Kept pairs are only asked which geometries they
@@ -110,7 +110,7 @@ class PairStore {
                   bool are_slots_reused, std::span<Pair> out, Part& part) const;
 
   std::vector<Pair> pairs_, before_, lost_;
-  std::vector<PairMemory> memories_;
+  PairMemories memories_;
   std::vector<std::uint32_t> free_memories_;
   std::vector<Part> parts_;
 };

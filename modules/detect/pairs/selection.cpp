@@ -9,7 +9,7 @@ import abut.detect.elements;
 import abut.detect.pairs.jobs;
 import abut.detect.pairs;
 import abut.math;
-import abut.narrow.warm.pair_memory;
+import abut.pairs.two_shapes.runs;
 import abut.scene.meetings;
 import abut.scene.state.options;
 import abut.scene.state.places;
@@ -87,7 +87,7 @@ void update_pair(Pair& pair, const Scope& scope, const Places& places, std::span
     renew_pair(pair, is_reshaped, places, meetings, jobs);
   }
   if ((happened & (happened_to_shape | happened_to_surface)) != 0 && pair.memory != no_memory) {
-    pairs.memories()[pair.memory] = {};
+    pairs.memories().forget(pair.memory);
   }
   if (!pair.is_admitted) {
     pair.is_touching = false;

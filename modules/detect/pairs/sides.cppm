@@ -6,9 +6,8 @@ import abut.core.standard;
 import abut.core;
 import abut.detect.pairs.jobs;
 import abut.detect.pairs;
-import abut.pairs.any_shape;
 import abut.pairs.surfaces.kept_sides;
-import abut.pairs.table;
+import abut.pairs.pair_job;
 import abut.scene.state.options;
 import abut.scene.state.places;
 

@@ -12,11 +12,10 @@ import abut.detect.paths.sweeps;
 import abut.detect.paths.touches;
 import abut.math;
 import abut.motion.impacts.convex_impact;
-import abut.motion.impacts.convex_part;
+import abut.pairs.taken_apart.convex_part;
 import abut.motion.time_of_impact;
 import abut.pairs.any_shape;
-import abut.pairs.registry;
-import abut.pairs.table;
+import abut.pairs.pair_job;
 import abut.scene.state.options;
 import abut.scene.state.places;
 

@@ -9,7 +9,7 @@ import abut.detect.paths;
 import abut.math;
 import abut.motion.time_of_impact;
 import abut.pairs.any_shape;
-import abut.pairs.registry;
+import abut.pairs.two_shapes.runs;
 import abut.pairs.composites.seams;
 import abut.scene.state.options;
 import abut.scene.state.places;
@@ -38,15 +38,14 @@ Real size_of(const Sides& sides) {
 void find_points(const PathScene& scene, const Sides& sides, const Moment& moment, const Policy& policy, Real margin,
                  Manifold& points) {
   const AnyShape &a = *scene.places.shapes[sides.job.a], &b = *scene.places.shapes[sides.job.b];
-  const auto& kernels = pair_kernels(a.index(), b.index());
   const std::size_t before = points.size();
   const bool welds = scene.options.welds;
   const QuerySettings wanted{
       .algorithm = policy.algorithm, .error_bound = policy.error_bound, .margin = margin, .welds = welds};
-  if (kernels.contacts_in_frame(a, b, relative(moment.a, moment.b), wanted, nullptr, points) != Outcome::ok) {
+  if (contacts_in_frame(a, b, relative(moment.a, moment.b), wanted, points) != Outcome::ok) {
     points.resize(before);
     const QuerySettings any{.margin = margin, .welds = welds};
-    static_cast<void>(kernels.contacts_in_frame(a, b, relative(moment.a, moment.b), any, nullptr, points));
+    static_cast<void>(contacts_in_frame(a, b, relative(moment.a, moment.b), any, points));
   }
 }
 

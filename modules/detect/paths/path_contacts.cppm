@@ -13,7 +13,7 @@ import abut.detect.paths;
 import abut.detect.paths.sweeps;
 import abut.math;
 import abut.motion.time_of_impact;
-import abut.pairs.table;
+import abut.pairs.pair_job;
 import abut.scene.state.options;
 import abut.scene.state.places;
 import abut.scene.meetings.policies;

@@ -12,7 +12,7 @@ import abut.core.workers;
 import abut.detect.pairs.refresh;
 import abut.detect.paths;
 import abut.math;
-import abut.motion.impacts.convex_part;
+import abut.pairs.taken_apart.convex_part;
 import abut.scene.state.options;
 import abut.scene.state.places;
 import abut.scene.state.space;

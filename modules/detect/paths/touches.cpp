@@ -3,7 +3,7 @@ module abut.detect.paths.touches;
 import abut.capability;
 import abut.core.standard;
 import abut.math;
-import abut.motion.impacts.convex_part;
+import abut.pairs.taken_apart.convex_part;
 import abut.motion.paths.path;
 import abut.motion.paths.relative_motion;
 import abut.motion.time_of_impact;

@@ -14,7 +14,7 @@ import abut.core.standard;
 import abut.math;
 import abut.math.tolerance;
 import abut.math.turn;
-import abut.motion.impacts.convex_part;
+import abut.pairs.taken_apart.convex_part;
 import abut.motion.paths.path;
 import abut.motion.time_of_impact;
 import abut.narrow.apart.gjk;

@@ -4,7 +4,7 @@ export module abut.motion.impacts.convex_impact;
 import abut.capability;
 import abut.core.standard;
 import abut.math;
-import abut.motion.impacts.convex_part;
+import abut.pairs.taken_apart.convex_part;
 import abut.motion.paths.path;
 import abut.motion.time_of_impact;
 

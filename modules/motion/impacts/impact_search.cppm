@@ -10,13 +10,9 @@ import abut.motion.impacts.convex_impact;
 import abut.motion.paths.path;
 import abut.motion.time_of_impact;
 import abut.motion.impacts.whole_impact;
-import abut.pairs.registry;
+import abut.pairs.shape_handle;
 
 export namespace abut {
-
-[[nodiscard]] inline const AnyShape::Variant& variant_of(const AnyShape& shape [[clang::lifetimebound]]) {
-  return shape;
-}
 
 // A shape on a body, and which child it is of the whole.
 struct [[gsl::Pointer]] Subject {

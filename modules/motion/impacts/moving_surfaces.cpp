@@ -4,7 +4,7 @@ import abut.capability;
 import abut.core.standard;
 import abut.math;
 import abut.motion.impacts.convex_impact;
-import abut.motion.impacts.convex_part;
+import abut.pairs.taken_apart.convex_part;
 import abut.motion.impacts.impact_search;
 import abut.motion.paths.motion_order;
 import abut.motion.paths.path;
@@ -87,7 +87,7 @@ void meet_surfaces(const Subject& a, const Subject& b, const TimeSpan& span, Sea
           }
         }
       },
-      variant_of(a.shape), variant_of(b.shape));
+      static_cast<const AnyShape::Variant&>(a.shape), static_cast<const AnyShape::Variant&>(b.shape));
 }
 
 }  // namespace abut

@@ -5,12 +5,11 @@ import abut.core.standard;
 import abut.math;
 import abut.math.tolerance;
 import abut.motion.impacts.convex_impact;
-import abut.motion.impacts.convex_part;
+import abut.pairs.taken_apart.convex_part;
 import abut.motion.paths.path;
 import abut.motion.paths.relative_motion;
 import abut.motion.time_of_impact;
 import abut.pairs.any_shape;
-import abut.pairs.registry;
 
 namespace abut {
 namespace {

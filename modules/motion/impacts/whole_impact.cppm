@@ -7,7 +7,7 @@ import abut.math;
 import abut.motion.impacts.convex_impact;
 import abut.motion.paths.path;
 import abut.motion.time_of_impact;
-import abut.pairs.registry;
+import abut.pairs.shape_handle;
 
 export namespace abut {
 

@@ -30,8 +30,6 @@ struct alignas(64) PairMemory {
 };
 static_assert(sizeof(PairMemory) <= 64 && std::is_trivially_copyable_v<PairMemory>);
 
-inline constexpr std::uint32_t no_memory = 0xffffffff;
-
 // Larger than the relative rounding of single precision.
 inline constexpr Real single_rounding = 1.5e-7;
 

@@ -61,6 +61,8 @@ std::size_t kind_of(const AnyShape& shape) {
 }
 
 std::size_t kind_in_pairs(std::size_t place) { return forms[place].place; }
+std::size_t kind_in_pairs(const AnyShape& shape) { return shape.index(); }
+std::uint32_t kind_number(std::size_t place) { return Shapes::kinds[place]; }
 
 std::string_view kind_name(std::size_t place) { return kind_entries[place].name; }
 std::size_t kind_parameter_count(std::size_t place) { return kind_entries[place].parameter_names.size(); }
@@ -68,15 +70,19 @@ std::string_view kind_parameter_name(std::size_t place, std::size_t index) {
   return kind_entries[place].parameter_names[index];
 }
 
-Result<AnyShape> make_shape(std::size_t place, std::span<const Real> parameters, std::span<const Real> reals,
-                            std::span<const std::uint32_t> indices) {
-  return AnyShape::make(Shapes::kinds[place], parameters, reals, indices);
+Result<ShapeHandle> make_shape(std::size_t place, std::span<const Real> parameters, std::span<const Real> reals,
+                               std::span<const std::uint32_t> indices) {
+  return AnyShape::make(Shapes::kinds[place], parameters, reals, indices).transform([](AnyShape made) {
+    return ShapeHandle(std::move(made));
+  });
 }
+
+ShapeHandle sample_shape() { return ShapeHandle(AnyShape(Shapes::At<0>::samples().front())); }
 
 namespace {
 
 template <std::size_t Place>
-Result<AnyShape> make_first_assembly(std::span<const PlacedShape> given) {
+Result<ShapeHandle> make_first_assembly(std::span<const PlacedShape> given) {
   if constexpr (Place == Shapes::count) {
     return Error{Errc::unsupported, "this build of abut has no composites"};
   } else if constexpr (Assembly<Shapes::At<Place>>) {
@@ -86,7 +92,7 @@ Result<AnyShape> make_first_assembly(std::span<const PlacedShape> given) {
     for (const PlacedShape& child : given) {
       children.push_back({child.shape, child.pose, child.material});
     }
-    return Made::of(children).transform([](Made made) { return AnyShape(std::move(made)); });
+    return Made::of(children).transform([](Made made) { return ShapeHandle(AnyShape(std::move(made))); });
   } else {
     return make_first_assembly<Place + 1>(given);
   }
@@ -94,7 +100,7 @@ Result<AnyShape> make_first_assembly(std::span<const PlacedShape> given) {
 
 }  // namespace
 
-Result<AnyShape> make_composite(std::span<const PlacedShape> children) { return make_first_assembly<0>(children); }
+Result<ShapeHandle> make_composite(std::span<const PlacedShape> children) { return make_first_assembly<0>(children); }
 
 Aabb aabb_of(const AnyShape& shape, const Pose& pose) {
   return std::visit([&](const auto& s) { return s.aabb(pose); }, shape);
@@ -133,6 +139,41 @@ std::optional<Triangles> triangles_of(const AnyShape& shape) {
         }
       },
       shape);
+}
+
+bool has_holes(const AnyShape& shape) { return shape.has_holes(); }
+
+bool holds(const AnyShape& shape, const Vec3& point, Real reach) {
+  return std::visit(
+      [&]<class S>(const S& s) {
+        if constexpr (Assembly<S>) {
+          const auto children = s.children();
+          const auto is_cut = [&](std::uint32_t solid) {
+            return std::ranges::any_of(s.holes(), [&](const auto& hole) {
+              const auto& cavity = children[hole.child];
+              return hole.begin <= solid && solid < hole.end &&
+                     cavity.shape->cavity_holds(cavity.pose.undo(point), std::max(reach, Real{0}));
+            });
+          };
+          bool is_held = false;
+          s.visit_children(Aabb{point, point}.inflated(std::max(reach, Real{0})), [&](std::uint32_t child) {
+            is_held =
+                is_held || (holds(*children[child].shape, children[child].pose.undo(point), reach) && !is_cut(child));
+          });
+          return is_held;
+        } else if constexpr (Hole<S>) {
+          return false;
+        } else {
+          const auto found = shape.distance_to(point);
+          return found && found->distance <= reach;
+        }
+      },
+      static_cast<const AnyShape::Variant&>(shape));
+}
+
+bool has_triangles(std::size_t place) {
+  static constexpr auto have_triangles = Shapes::for_each_kind([]<class S>() { return Triangulated<S>; });
+  return have_triangles[place];
 }
 
 std::span<const std::uint32_t> materials_of_children(const AnyShape& shape) {
@@ -203,9 +244,9 @@ std::vector<Real> form_of(const AnyShape& shape) {
   return form;
 }
 
-}  // namespace
-
-bool comes_after(const AnyShape& a, const AnyShape& b, const Pose& pose_a, const Pose& pose_b) {
+// The order of two shapes of one kind whose first coordinates do not tell it: by the rest of their poses, else by their
+// form. Shapes alike in all of these are the same one, and no order can be told from the other.
+[[gnu::cold]] bool comes_after(const AnyShape& a, const AnyShape& b, const Pose& pose_a, const Pose& pose_b) {
   const Vec3 apart = pose_b.position - pose_a.position;
   if (std::fabs(apart.y) > tie_share * std::fabs(apart.z)) {
     return apart.y < 0;
@@ -228,84 +269,33 @@ bool comes_after(const AnyShape& a, const AnyShape& b, const Pose& pose_a, const
   return size(a) != size(b) ? size(b) < size(a) : form_of(b) < form_of(a);
 }
 
-Outcome pair_contacts(const AnyShape& a, const AnyShape& b, const Pose& pose_a, const Pose& pose_b,
-                      const QuerySettings& settings, PairMemory& memory, Manifold& out) {
-  const bool from_b = starts_from_b(a, b, pose_a, pose_b);
-  const AnyShape &first = from_b ? b : a, &second = from_b ? a : b;
-  if (memory.is_from_b != from_b) {
-    memory = {};
-    memory.is_from_b = from_b;
+}  // namespace
+
+bool starts_from_b(const AnyShape& a, const AnyShape& b, const Pose& pose_a, const Pose& pose_b) {
+  if (a.index() != b.index()) {
+    return b.index() < a.index();
   }
-  const Pose &first_pose = from_b ? pose_b : pose_a, &second_pose = from_b ? pose_a : pose_b;
-  const auto& kernels = pair_kernels(first.index(), second.index());
-  if (!kernels.gains_from_memory) {
-    return kernels.contacts(first, second, first_pose, second_pose, from_b, settings, out);
+  const Vec3 apart = pose_b.position - pose_a.position;
+  if (std::fabs(apart.x) > tie_share * (std::fabs(apart.y) + std::fabs(apart.z))) [[likely]] {
+    return apart.x < 0;
   }
-  const std::size_t begin = out.size();
-  const Outcome outcome =
-      kernels.contacts_in_frame(first, second, relative(first_pose, second_pose), settings, &memory, out);
-  place_contacts(std::span(out).subspan(begin), first_pose, {from_b, a.index() == b.index()});
-  memory.is_from_b = from_b;
-  return outcome;
+  return comes_after(a, b, pose_a, pose_b);
 }
 
 Outcome pair_distance(const AnyShape& a, const AnyShape& b, const Pose& pose_a, const Pose& pose_b,
-                      const QuerySettings& settings, PairHint& hint, Distance& out) {
+                      const QuerySettings& settings, Distance& out) {
   const bool from_b = starts_from_b(a, b, pose_a, pose_b);
   const AnyShape &first = from_b ? b : a, &second = from_b ? a : b;
-  const PairKernels<AnyShape>& kernels = pair_kernels(first.index(), second.index());
-  const Pose &first_pose = from_b ? pose_b : pose_a, &second_pose = from_b ? pose_a : pose_b;
-  if (kernels.distance_from_hint == nullptr) {
-    return kernels.distance(first, second, first_pose, second_pose, from_b, settings, out);
-  }
-  if ((hint.is_from_b != 0) != from_b) {
-    swap_sides(hint);
-  }
-  return kernels.distance_from_hint(first, second, first_pose, second_pose, from_b, settings, hint, out);
+  return pair_kernels(first.index(), second.index())
+      .distance(first, second, from_b ? pose_b : pose_a, from_b ? pose_a : pose_b, from_b, settings, out);
 }
 
-namespace {
-
-// The features of a hint, as a memory that proves nothing and gets no ball: a ball of this call would be lost.
-PairMemory memory_of(const PairHint& hint) {
-  PairMemory memory{};
-  memory.is_from_b = hint.is_from_b != 0;
-  memory.features = {unpacked(hint.features[0]), unpacked(hint.features[1])};
-  memory.state = PairMemory::State::touching;
-  memory.waits = 1;
-  return memory;
-}
-
-}  // namespace
-
-// The distance tells shapes that are apart sooner than contacts do, but only with a hint.
 Outcome pair_contacts(const AnyShape& a, const AnyShape& b, const Pose& pose_a, const Pose& pose_b,
-                      const QuerySettings& settings, PairHint& hint, Manifold& out) {
-  const bool are_hinted =
-      pair_kernels(std::min(a.index(), b.index()), std::max(a.index(), b.index())).distance_from_hint != nullptr;
-  if (are_hinted && settings.algorithm == Algorithm::automatic && hint.has_contacts == 0) {
-    [[clang::uninitialized]] Distance gap;
-    const Outcome outcome = pair_distance(a, b, pose_a, pose_b, settings, hint, gap);
-    if (outcome == Outcome::ok && gap.lower > settings.margin) {
-      return Outcome::ok;
-    }
-  }
-  const std::size_t first = out.size();
-  PairMemory memory = memory_of(hint);
-  const bool is_known = hint.has_contacts != 0;
-  const Outcome outcome = is_known ? pair_contacts(a, b, pose_a, pose_b, settings, memory, out)
-                                   : pair_contacts(a, b, pose_a, pose_b, settings, out);
-  if (outcome != Outcome::ok) {
-    return outcome;
-  }
-  if (is_known) {
-    if (memory.is_from_b != (hint.is_from_b != 0)) {
-      swap_sides(hint);
-    }
-    hint.features = {packed(memory.features.a), packed(memory.features.b)};
-  }
-  hint.has_contacts = out.size() == first ? 0 : 1;
-  return outcome;
+                      const QuerySettings& settings, Manifold& out) {
+  const bool from_b = starts_from_b(a, b, pose_a, pose_b);
+  const AnyShape &first = from_b ? b : a, &second = from_b ? a : b;
+  return pair_kernels(first.index(), second.index())
+      .contacts(first, second, from_b ? pose_b : pose_a, from_b ? pose_a : pose_b, from_b, settings, out);
 }
 
 }  // namespace abut

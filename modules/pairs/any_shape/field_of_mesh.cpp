@@ -24,8 +24,8 @@ Fault check_options(const FieldOptions& options) {
 
 }  // namespace
 
-Result<AnyShape> make_field_of_mesh(std::span<const Real> xyz, std::span<const std::uint32_t> triangles,
-                                    const FieldOptions& options) {
+Result<ShapeHandle> make_field_of_mesh(std::span<const Real> xyz, std::span<const std::uint32_t> triangles,
+                                       const FieldOptions& options) {
   if (Fault fault = check_triangles("a distance field of a mesh", xyz, triangles)) {
     return *fault;
   }
@@ -83,7 +83,7 @@ Result<AnyShape> make_field_of_mesh(std::span<const Real> xyz, std::span<const s
                                         options.is_inside_out ? 1.0 : 0.0,
                                         options.is_smooth ? 1.0 : 0.0};
   return DistanceField::make(parameters, std::move(blocks)).transform([](DistanceField field) {
-    return AnyShape(std::move(field));
+    return ShapeHandle(AnyShape(std::move(field)));
   });
 }
 

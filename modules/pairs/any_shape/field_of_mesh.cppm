@@ -4,7 +4,7 @@ export module abut.pairs.any_shape.field_of_mesh;
 import abut.core.standard;
 import abut.core;
 import abut.math;
-import abut.pairs.registry;
+import abut.pairs.shape_handle;
 
 export namespace abut {
 
@@ -17,8 +17,9 @@ struct FieldOptions {
 
 // Three numbers a vertex and three indices a triangle, counter-clockwise seen from outside. An error in a build without
 // such a kind.
-[[nodiscard]] Result<AnyShape> make_field_of_mesh(std::span<const Real> xyz, std::span<const std::uint32_t> triangles,
-                                                  const FieldOptions& options);
+[[nodiscard]] Result<ShapeHandle> make_field_of_mesh(std::span<const Real> xyz,
+                                                     std::span<const std::uint32_t> triangles,
+                                                     const FieldOptions& options);
 
 // What is known of a distance field as a whole; of other shapes nothing.
 struct FieldReport {

@@ -4,12 +4,11 @@ module abut.pairs.any_shape.field_of_mesh;
 import abut.capability;
 import abut.core.standard;
 import abut.core;
-import abut.pairs.registry;
 
 namespace abut {
 
-Result<AnyShape> make_field_of_mesh(std::span<const Real> /*xyz*/, std::span<const std::uint32_t> /*triangles*/,
-                                    const FieldOptions& /*options*/) {
+Result<ShapeHandle> make_field_of_mesh(std::span<const Real> /*xyz*/, std::span<const std::uint32_t> /*triangles*/,
+                                       const FieldOptions& /*options*/) {
   return Error{Errc::unsupported, "this build of abut has no shape named distance_field"};
 }
 

@@ -60,7 +60,7 @@ SavedShape saved(const AnyShape& any, const ShapeList& list) {
 
 // Of children that come before it in the list.
 template <class Composite>
-Result<AnyShape> made_of_children(const SavedShape& saved, std::span<const ShapeHandle> known) {
+Result<ShapeHandle> made_of_children(const SavedShape& saved, std::span<const ShapeHandle> known) {
   std::vector<typename Composite::Child> children;
   std::vector<typename Composite::Hole> holes;
   for (const SavedChild& child : saved.children) {
@@ -73,12 +73,12 @@ Result<AnyShape> made_of_children(const SavedShape& saved, std::span<const Shape
     holes.push_back({hole.child, hole.begin, hole.end});
   }
   return Composite::restored(std::move(children), std::move(holes), saved.nesting).transform([](Composite made) {
-    return AnyShape(std::move(made));
+    return ShapeHandle(AnyShape(std::move(made)));
   });
 }
 
 template <std::size_t Place>
-Result<AnyShape> made(std::size_t place, const SavedShape& saved, std::span<const ShapeHandle> known) {
+Result<ShapeHandle> made(std::size_t place, const SavedShape& saved, std::span<const ShapeHandle> known) {
   if constexpr (Place == Shapes::count) {
     return make_shape(place, saved.parameters, saved.buffers.reals, saved.buffers.indices);
   } else if constexpr (Assembly<Shapes::At<Place>>) {
@@ -138,12 +138,12 @@ void ShapeList::read(ByteReader& in) {
       in.fail({Errc::unsupported, name + " is of the kind " + std::to_string(its.kind) + ", which this build has not"});
       return;
     }
-    Result<AnyShape> shape = made<0>(*place, its, shapes_);
+    Result<ShapeHandle> shape = made<0>(*place, its, shapes_);
     if (!shape) {
       in.fail({shape.error().code, name + ": " + shape.error().message});
       return;
     }
-    shapes_.push_back(ShapeHandle(std::move(shape).value()));
+    shapes_.push_back(std::move(shape).value());
   }
 }
 

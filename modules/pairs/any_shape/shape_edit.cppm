@@ -6,7 +6,6 @@ import abut.core.standard;
 import abut.core;
 import abut.math;
 import abut.pairs.any_shape;
-import abut.pairs.registry;
 
 export namespace abut {
 

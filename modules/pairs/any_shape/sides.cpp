@@ -5,7 +5,6 @@ import abut.core.standard;
 import abut.core;
 import abut.math;
 import abut.pairs.any_shape;
-import abut.pairs.registry;
 
 namespace abut {
 namespace {
@@ -22,8 +21,8 @@ std::optional<std::size_t> place_of_parameter(std::size_t kind, std::string_view
 }  // namespace
 
 SurfaceSides sides_of(const AnyShape& shape) {
-  const std::optional<std::size_t> sides = place_of_parameter(shape.index(), "sides");
-  const std::optional<std::size_t> below = place_of_parameter(shape.index(), "solid_below");
+  const std::optional<std::size_t> sides = place_of_parameter(kind_in_pairs(shape), "sides");
+  const std::optional<std::size_t> below = place_of_parameter(kind_in_pairs(shape), "solid_below");
   if (!sides && !below) {
     return SurfaceSides::none;
   }
@@ -34,7 +33,7 @@ SurfaceSides sides_of(const AnyShape& shape) {
   return value == 0 ? SurfaceSides::both : value == 1 ? SurfaceSides::front : SurfaceSides::solid;
 }
 
-std::optional<AnyShape> make_sheet(const Triangles& triangles) {
+std::optional<ShapeHandle> make_sheet(const Triangles& triangles) {
   std::vector<Real> xyz;
   for (const Vec3& vertex : triangles.vertices) {
     xyz.insert(xyz.end(), {vertex.x, vertex.y, vertex.z});
@@ -42,7 +41,7 @@ std::optional<AnyShape> make_sheet(const Triangles& triangles) {
   constexpr std::array<Real, 1> both_sides{0};
   for (std::size_t kind = 0; kind < shape_kind_count; ++kind) {
     if (place_of_parameter(kind, "sides") == 0u) {
-      if (Result<AnyShape> made = make_shape(kind, both_sides, xyz, triangles.indices)) {
+      if (Result<ShapeHandle> made = make_shape(kind, both_sides, xyz, triangles.indices)) {
         return std::move(made).value();
       }
     }

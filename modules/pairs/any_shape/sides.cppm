@@ -4,7 +4,6 @@ export module abut.pairs.any_shape.sides;
 import abut.capability;
 import abut.core.standard;
 import abut.pairs.any_shape;
-import abut.pairs.registry;
 
 export namespace abut {
 
@@ -18,6 +17,6 @@ enum class SurfaceSides {
 [[nodiscard]] SurfaceSides sides_of(const AnyShape& shape);
 
 // Triangles as a sheet of both sides; nothing in a build without such a kind.
-[[nodiscard]] std::optional<AnyShape> make_sheet(const Triangles& triangles);
+[[nodiscard]] std::optional<ShapeHandle> make_sheet(const Triangles& triangles);
 
 }  // namespace abut

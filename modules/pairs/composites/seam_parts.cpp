@@ -63,7 +63,9 @@ void add_faces(const S& shape, std::vector<Vec3>& faces) {
 }  // namespace
 
 bool is_surface_kind(std::size_t kind) { return are_surfaces[kind]; }
+bool is_surface(const AnyShape& shape) { return is_surface_kind(shape.index()); }
 bool is_weldable_kind(std::size_t kind) { return are_weldable[kind]; }
+bool is_weldable(const AnyShape& shape) { return is_weldable_kind(shape.index()); }
 
 Real half_size_of(const AnyShape& shape) {
   const Aabb box =

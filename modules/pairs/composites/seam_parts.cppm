@@ -6,16 +6,16 @@ import abut.capability;
 import abut.core.standard;
 import abut.core;
 import abut.math;
-import abut.pairs.registry;
+import abut.pairs.shape_handle;
 
 export namespace abut {
 
 // By place in the registry.
 [[nodiscard]] bool is_surface_kind(std::size_t kind);
-[[nodiscard]] inline bool is_surface(const AnyShape& shape) { return is_surface_kind(shape.index()); }
+[[nodiscard]] bool is_surface(const AnyShape& shape);
 // Convex shapes and half-spaces, which are welded where somebody asks for it.
 [[nodiscard]] bool is_weldable_kind(std::size_t kind);
-[[nodiscard]] inline bool is_weldable(const AnyShape& shape) { return is_weldable_kind(shape.index()); }
+[[nodiscard]] bool is_weldable(const AnyShape& shape);
 
 // By place in the registry.
 [[nodiscard]] inline bool is_part_at_seams(std::size_t kind, bool is_welded) {
@@ -24,7 +24,7 @@ export namespace abut {
 
 // A part that a body touches, and the contacts of both. Poses and contacts are in one frame.
 struct Seam {
-  Frozen<AnyShape> part;
+  ShapeHandle part;
   Pose pose;
   bool is_b;  // the part is side b of its contacts
   Manifold contacts;

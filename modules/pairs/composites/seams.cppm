@@ -8,7 +8,7 @@ import abut.core.standard;
 import abut.core;
 import abut.math;
 import abut.narrow.manifold.reduce;
-import abut.pairs.registry;
+import abut.pairs.shape_handle;
 export import abut.pairs.composites.seam_parts;
 export import abut.pairs.composites.welds;
 

@@ -2,7 +2,6 @@
 module abut.pairs.composites.self_contacts;
 import abut.capability;
 import abut.core.standard;
-import abut.core;
 import abut.narrow.parts.self_contacts;
 import abut.pairs.registry;
 import abut.pairs.routes;
@@ -24,7 +23,7 @@ Outcome contacts_of(const AnyShape& shape, const QuerySettings& settings, Manifo
 
 }  // namespace
 
-void self_contacts_of_run(std::span<const Frozen<AnyShape>> shapes, std::span<const PairJob> jobs,
+void self_contacts_of_run(std::span<const ShapeHandle> shapes, std::span<const PairJob> jobs,
                           const QuerySettings& settings, Manifold& out, std::span<PairResult> results) {
   QuerySettings its = settings;
   for (std::size_t i = 0; i < jobs.size(); ++i) {

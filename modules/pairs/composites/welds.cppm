@@ -9,7 +9,7 @@
 export module abut.pairs.composites.welds;
 import abut.core.standard;
 import abut.math;
-import abut.pairs.registry;
+import abut.pairs.shape_handle;
 import abut.pairs.composites.seam_parts;
 
 export namespace abut {

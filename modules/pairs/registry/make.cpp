@@ -6,6 +6,8 @@ import abut.core;
 import abut.math;
 import abut.pairs.rows.by_route;
 
+// Members of a class that is attached to no module are not either.
+extern "C++" {
 namespace abut {
 
 Result<AnyShape> AnyShape::make(std::uint32_t kind, std::span<const Real> parameters, std::span<const Real> reals,
@@ -73,3 +75,4 @@ bool AnyShape::cavity_holds(const Vec3& point, Real inset) const {
 }
 
 }  // namespace abut
+}

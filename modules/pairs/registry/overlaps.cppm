@@ -4,7 +4,7 @@ export module abut.pairs.registry.overlaps;
 import abut.capability;
 import abut.core.standard;
 import abut.math;
-import abut.pairs.registry;
+import abut.pairs.shape_handle;
 
 export namespace abut {
 

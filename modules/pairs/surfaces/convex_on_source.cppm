@@ -6,7 +6,7 @@ import abut.core.standard;
 import abut.math;
 import abut.narrow.surface.bodies_on_surface;
 import abut.narrow.surface.triangle_source;
-import abut.pairs.registry;
+import abut.pairs.shape_handle;
 
 export namespace abut {
 

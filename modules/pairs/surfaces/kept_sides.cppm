@@ -7,7 +7,7 @@ import abut.core.standard;
 import abut.core;
 import abut.math;
 export import abut.narrow.warm.side_memory;
-import abut.pairs.registry;
+import abut.pairs.shape_handle;
 
 export namespace abut {
 

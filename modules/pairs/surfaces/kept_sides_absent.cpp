@@ -4,7 +4,6 @@ module abut.pairs.surfaces.kept_sides;
 import abut.capability;
 import abut.core.standard;
 import abut.math;
-import abut.pairs.registry;
 
 namespace abut {
 

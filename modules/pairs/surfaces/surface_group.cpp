@@ -12,6 +12,7 @@ import abut.narrow.triangle.stopping_sides;
 import abut.narrow.triangle.triangle_point;
 import abut.narrow.surface.triangle_source;
 import abut.pairs.composites.children;
+import abut.pairs.registry;
 import abut.pairs.surfaces.convex_on_source;
 
 namespace abut {

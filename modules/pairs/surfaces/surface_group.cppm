@@ -7,7 +7,7 @@ import abut.core.standard;
 import abut.core;
 import abut.math;
 import abut.narrow.triangle.stopping_sides;
-import abut.pairs.registry;
+import abut.pairs.shape_handle;
 
 export namespace abut {
 

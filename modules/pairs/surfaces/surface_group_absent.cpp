@@ -5,7 +5,6 @@ import abut.capability;
 import abut.core.standard;
 import abut.math;
 import abut.narrow.triangle.stopping_sides;
-import abut.pairs.registry;
 
 namespace abut {
 

@@ -14,7 +14,7 @@ import abut.capability;
 import abut.math;
 import abut.math.turn;
 import abut.motion.impacts.convex_impact;
-import abut.motion.impacts.convex_part;
+import abut.pairs.taken_apart.convex_part;
 import abut.motion.paths.path;
 import abut.motion.time_of_impact;
 import abut.pairs.any_shape;
@@ -42,7 +42,7 @@ class Random {
   std::mt19937 engine_;
 };
 
-AnyShape shape_of(std::string_view kind, const std::vector<Real>& parameters) {
+ShapeHandle shape_of(std::string_view kind, const std::vector<Real>& parameters) {
   return make_shape(find_kind(kind).value(), parameters, {}, {}).value();
 }
 
@@ -141,7 +141,7 @@ struct Counts {
 TEST(RandomImpacts, MissNoneOfTenThousandSpinningRods) {
   Random random(11);
   Counts counts;
-  const AnyShape rod = shape_of("capsule", {0.05, 1});
+  const ShapeHandle rod = shape_of("capsule", {0.05, 1});
   for (int i = 0; i < 10'000; ++i) {
     const Flight flight = random_flight(random, 2.2, 2.5);
     const Impact found = impact_of(rod, rod, flight);
@@ -184,8 +184,8 @@ TEST(RandomImpacts, ComeNoSoonerThanALookProves) {
   for (int i = 0; i < 2000; ++i) {
     const Vec3 half_a{random.number(0.05, 0.4), random.number(0.05, 0.4), random.number(0.05, 0.4)};
     const Vec3 half_b{random.number(0.05, 0.4), random.number(0.05, 0.4), random.number(0.05, 0.4)};
-    const AnyShape a = shape_of("box", {half_a.x, half_a.y, half_a.z}),
-                   b = shape_of("box", {half_b.x, half_b.y, half_b.z});
+    const ShapeHandle a = shape_of("box", {half_a.x, half_a.y, half_a.z}),
+                      b = shape_of("box", {half_b.x, half_b.y, half_b.z});
     const Flight flight = random_flight(random, 3.5, 1);
     const Real margin = random.number(0, 0.1);
     const ConvexPart part_a = ConvexPart::of(a).value(), part_b = ConvexPart::of(b).value();
@@ -209,7 +209,7 @@ TEST(RandomImpacts, ComeNoSoonerThanALookProves) {
 
 TEST(RandomImpacts, AreTheSameSwappedAndOnAMovingGround) {
   Random random(13);
-  const AnyShape a = shape_of("box", {1, 0.3, 0.1}), b = shape_of("capsule", {0.2, 0.5});
+  const ShapeHandle a = shape_of("box", {1, 0.3, 0.1}), b = shape_of("capsule", {0.2, 0.5});
   for (int i = 0; i < 500; ++i) {
     const Flight flight = random_flight(random, 2.5, 3);
     const Impact found = impact_of(a, b, flight), swapped = impact_of(b, a, {flight.b, flight.a});
@@ -237,7 +237,7 @@ TEST(RandomImpacts, AreTheSameSwappedAndOnAMovingGround) {
 // The second half of a motion begins where the first one ends.
 TEST(RandomImpacts, AreTheSameInTwoHalves) {
   Random random(14);
-  const AnyShape a = shape_of("box", {0.8, 0.3, 0.1}), b = shape_of("box", {0.2, 0.5, 0.4});
+  const ShapeHandle a = shape_of("box", {0.8, 0.3, 0.1}), b = shape_of("box", {0.2, 0.5, 0.4});
   int later = 0;
   for (int i = 0; i < 500; ++i) {
     const Vec3 d = random.direction();
@@ -269,7 +269,7 @@ bool has_one_side(const AnyShape& shape) {
 }
 
 // A box with a cavity.
-AnyShape hollow(std::string_view hole, const std::vector<Real>& parameters) {
+ShapeHandle hollow(std::string_view hole, const std::vector<Real>& parameters) {
   const ShapeHandle block(shape_of("box", {0.6, 0.5, 0.45})), cavity(shape_of(hole, parameters));
   return make_composite(std::vector<PlacedShape>{{block, Pose::identity()}, {cavity, Pose::identity()}}).value();
 }
@@ -277,11 +277,11 @@ AnyShape hollow(std::string_view hole, const std::vector<Real>& parameters) {
 // Bodies that fly within cavities up to the wall. Of a body with corners the outermost corner touches.
 TEST(RandomImpacts, ReachTheWallsOfCavities) {
   struct Cavity {
-    AnyShape shape;
+    ShapeHandle shape;
     Real (*clearance)(const Vec3& point);
   };
   struct Body {
-    AnyShape shape;
+    ShapeHandle shape;
     std::vector<Vec3> corners;
     Real radius;
   };
@@ -376,13 +376,13 @@ TEST(RandomImpacts, HoldForAllKinds) {
       EXPECT_LE(gap(found.upper).upper, 2e-4 * size) << kind_name(a.index()) << ' ' << kind_name(b.index());
     }
   };
-  std::vector<AnyShape> kinds, of_forms;
+  std::vector<ShapeHandle> kinds, of_forms;
   [&]<std::size_t... Places>(std::index_sequence<Places...>) {
     (
         [&] {
           for (auto& sample : Shapes::At<Places>::samples()) {
-            const AnyShape shape(std::move(sample));
-            (kind_of(shape) == shape.index() ? kinds : of_forms).push_back(shape);
+            const ShapeHandle shape(std::move(sample));
+            (kind_of(shape) == shape->index() ? kinds : of_forms).push_back(shape);
           }
         }(),
         ...);

@@ -14,19 +14,18 @@ import abut.math.turn;
 import abut.motion.paths.path;
 import abut.motion.time_of_impact;
 import abut.pairs.any_shape;
-import abut.pairs.registry;
 
 namespace {
 
 using namespace abut;
 
-AnyShape shape_of(std::string_view kind, const std::vector<Real>& parameters, const std::vector<Real>& reals = {},
-                  const std::vector<std::uint32_t>& indices = {}) {
+ShapeHandle shape_of(std::string_view kind, const std::vector<Real>& parameters, const std::vector<Real>& reals = {},
+                     const std::vector<std::uint32_t>& indices = {}) {
   return make_shape(find_kind(kind).value(), parameters, reals, indices).value();
 }
-AnyShape box(Real x, Real y, Real z) { return shape_of("box", {x, y, z}); }
-AnyShape sphere(Real radius) { return shape_of("sphere", {radius}); }
-AnyShape floor_at_zero() { return shape_of("plane", {0, 0, 1, 0}); }
+ShapeHandle box(Real x, Real y, Real z) { return shape_of("box", {x, y, z}); }
+ShapeHandle sphere(Real radius) { return shape_of("sphere", {radius}); }
+ShapeHandle floor_at_zero() { return shape_of("plane", {0, 0, 1, 0}); }
 
 Pose at(const Vec3& position, const Vec3& turn = {0, 0, 0}) { return {rotation_by(turn), position}; }
 Path moving(const Pose& start, const Motion& motion, Real duration = 1) {
@@ -64,7 +63,7 @@ TEST(TimeOfImpact, OfABallThatFallsOnAFloor) {
 
 TEST(TimeOfImpact, OfARodThatSpinsUpOntoAFloor) {
   // Its end is at height 1 - sin(angle) of the half length 2, less the radius.
-  const AnyShape rod = shape_of("capsule", {0.25, 2});
+  const ShapeHandle rod = shape_of("capsule", {0.25, 2});
   const Path path = moving(at({0, 0, 1.25}, {0, 0.5 * std::numbers::pi, 0}),
                            {.angular_velocity = {0, 0.5, 0}, .angular_acceleration = {0, 1.5, 0}}, 2);
   const Real angle = std::asin(0.5), time = (-0.5 + std::sqrt(0.25 + 3 * angle)) / 1.5;
@@ -103,7 +102,7 @@ TEST(TimeOfImpact, KnowsOverlapAtTheStart) {
 }
 
 TEST(TimeOfImpact, OfWhatNeverMovesTowardsEachOtherIsNone) {
-  const AnyShape body = box(1, 0.5, 0.25);
+  const ShapeHandle body = box(1, 0.5, 0.25);
   const Motion fast{.velocity = {100, 20, 3}, .angular_velocity = {5, 6, 7}, .acceleration = {10, 0, -9.81}};
   // Alike, and one that slides along a face of the other while it spins.
   const Impact alike = impact_of(body, moving(at({0, 0, 0}), {.velocity = {100, 20, 3}}), body,
@@ -132,7 +131,7 @@ TEST(TimeOfImpact, TellsAGrazeFromAMiss) {
 }
 
 TEST(TimeOfImpact, OfAPropellerThatOnlySpins) {
-  const AnyShape blade = box(1, 0.05, 0.01), post = box(0.01, 0.01, 1);
+  const ShapeHandle blade = box(1, 0.05, 0.01), post = box(0.01, 0.01, 1);
   const Path spin = moving(at({0, 0, 0}), {.angular_velocity = {0, 0, 60}});
   const Impact found = impact_of(blade, spin, post, Path::at_rest(at({0, 0.9, 0}), 1));
   EXPECT_EQ(found.state, ImpactState::touches);
@@ -145,7 +144,7 @@ TEST(TimeOfImpact, OfAGiantAndASpeckAndOfThinSheets) {
                                  moving(at({1e4 + 5, 0, 0}), {.velocity = {-10, 0, 0}, .angular_velocity = {1, 2, 3}}));
   EXPECT_EQ(speck.state, ImpactState::touches);
   EXPECT_NEAR(speck.upper, 0.5, 2e-4);
-  const AnyShape sheet = shape_of("mesh", {0}, {-1, -1, 0, 1, -1, 0, 1, 1, 0, -1, 1, 0}, {0, 1, 2, 0, 2, 3});
+  const ShapeHandle sheet = shape_of("mesh", {0}, {-1, -1, 0, 1, -1, 0, 1, 1, 0, -1, 1, 0}, {0, 1, 2, 0, 2, 3});
   const Impact bullet = impact_of(sheet, moving(at({0, 0, 0}), {.angular_velocity = {0, 0, 2}}), sphere(1e-3),
                                   moving(at({0.3, 0.2, 100}), {.velocity = {0, 0, -1000}}));
   expect_touch(bullet, (100 - 1e-3) / 1000, 1e-11);

@@ -12,7 +12,6 @@ import abut.capability;
 import abut.core;
 import abut.math;
 import abut.pairs.any_shape;
-import abut.pairs.registry;
 import abut.queries;
 import abut.universe;
 

@@ -4,7 +4,6 @@ export module abut.pairs.any_shape.casts.ray_child;
 import abut.core.standard;
 import abut.math;
 import abut.pairs.any_shape;
-import abut.pairs.registry;
 
 export namespace abut {
 

@@ -5,7 +5,6 @@ import abut.capability;
 import abut.core.standard;
 import abut.math;
 import abut.pairs.any_shape;
-import abut.pairs.registry;
 
 export namespace abut {
 

@@ -19,7 +19,6 @@ import abut.math.turn;
 import abut.motion.paths.path;
 import abut.motion.time_of_impact;
 import abut.pairs.any_shape;
-import abut.pairs.registry;
 
 namespace {
 
@@ -107,7 +106,7 @@ Real gap_of(const test::Surface& a, const Pose& pose_a, const test::Surface& b, 
   return least;
 }
 
-AnyShape mesh_of(const test::Surface& surface) {
+ShapeHandle mesh_of(const test::Surface& surface) {
   return make_shape(find_kind("mesh").value(), std::vector{0.0}, surface.xyz, surface.triangles).value();
 }
 
@@ -123,7 +122,7 @@ TEST(MovingSurfaces, TouchWhenTheFirstOfAllTrianglesDo) {
   RecordProperty("seed", static_cast<int>(seed));
   Random random{std::mt19937(seed)};
   const test::Surface a = test::torus(1, 0.4, 11, 7), b = test::torus(0.7, 0.2, 9, 5);
-  const AnyShape shape_a = mesh_of(a), shape_b = mesh_of(b);
+  const ShapeHandle shape_a = mesh_of(a), shape_b = mesh_of(b);
   int touches = 0;
   for (int flight = 0; flight < 60; ++flight) {
     const auto path = [&](const Vec3& place, const Vec3& velocity) {

@@ -37,12 +37,12 @@ using test::moved_by;
 using test::set_of;
 using test::unit;
 
-abut::AnyShape made(std::string_view kind, const std::vector<double>& parameters, const std::vector<double>& reals = {},
-                    const std::vector<std::uint32_t>& indices = {}) {
+abut::ShapeHandle made(std::string_view kind, const std::vector<double>& parameters,
+                       const std::vector<double>& reals = {}, const std::vector<std::uint32_t>& indices = {}) {
   return abut::make_shape(abut::find_kind(kind).value(), parameters, reals, indices).value();
 }
 
-abut::AnyShape prism() {
+abut::ShapeHandle prism() {
   std::vector<double> points;
   for (int i = 0; i < 7; ++i) {
     for (const double z : {-0.4, 0.4}) {
@@ -53,7 +53,7 @@ abut::AnyShape prism() {
   return made("hull", {}, points);
 }
 
-abut::AnyShape rock() {
+abut::ShapeHandle rock() {
   test::Random random(271);
   std::vector<double> points;
   for (int i = 0; i < 40; ++i) {
@@ -65,7 +65,7 @@ abut::AnyShape rock() {
 
 double height_at(int i, int j) { return 0.02 * std::sin(1.3 * i) * std::cos(0.9 * j); }
 
-abut::AnyShape wavy_mesh() {
+abut::ShapeHandle wavy_mesh() {
   std::vector<double> points;
   std::vector<std::uint32_t> triangles;
   for (int j = 0; j <= 10; ++j) {
@@ -82,7 +82,7 @@ abut::AnyShape wavy_mesh() {
   return made("mesh", {0}, points, triangles);
 }
 
-abut::AnyShape field(bool is_flat) {
+abut::ShapeHandle field(bool is_flat) {
   std::vector<double> heights;
   for (int j = 0; j <= 10; ++j) {
     for (int i = 0; i <= 10; ++i) {

@@ -15,7 +15,6 @@ import abut.capability;
 import abut.core;
 import abut.math;
 import abut.pairs.any_shape;
-import abut.pairs.registry;
 
 namespace test {
 
@@ -51,7 +50,7 @@ inline abut::Rotation taking(const abut::Vec3& from, const abut::Vec3& to) {
 // A shape, the directions that it may turn to the other one, and where it may be touched.
 struct Body {
   std::string_view name;
-  abut::AnyShape shape;
+  abut::ShapeHandle shape;
   double size;
   std::vector<abut::Vec3> sides;
   bool is_ground = false;  // turns only its side to the other, and is touched within 0.4 of the middle

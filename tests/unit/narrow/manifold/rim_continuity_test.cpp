@@ -32,8 +32,8 @@ using test::Contacts;
 
 const Vec3 x{1, 0, 0}, z{0, 0, 1};
 
-abut::AnyShape made(std::string_view kind, const std::vector<double>& parameters, const std::vector<double>& reals = {},
-                    const std::vector<std::uint32_t>& indices = {}) {
+abut::ShapeHandle made(std::string_view kind, const std::vector<double>& parameters,
+                       const std::vector<double>& reals = {}, const std::vector<std::uint32_t>& indices = {}) {
   return abut::make_shape(abut::find_kind(kind).value(), parameters, reals, indices).value();
 }
 

@@ -23,6 +23,7 @@ import abut.pairs.registry;
 namespace {
 
 using abut::AnyShape;
+using abut::ShapeHandle;
 using abut::Outcome;
 using abut::Pose;
 using abut::Vec3;
@@ -30,8 +31,8 @@ using abut::Vec3;
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
 template <std::size_t... places>
-std::vector<std::vector<AnyShape>> samples_of_kinds(std::index_sequence<places...>) {
-  std::vector<std::vector<AnyShape>> out;
+std::vector<std::vector<ShapeHandle>> samples_of_kinds(std::index_sequence<places...>) {
+  std::vector<std::vector<ShapeHandle>> out;
   const auto add = [&](auto&& shapes) {
     out.emplace_back();
     for (auto& shape : shapes) {
@@ -106,7 +107,7 @@ class Agreement : public testing::Test {
     visit(asked);
   }
 
-  std::vector<std::vector<AnyShape>> kinds_ = samples_of_kinds(std::make_index_sequence<count>());
+  std::vector<std::vector<ShapeHandle>> kinds_ = samples_of_kinds(std::make_index_sequence<count>());
   std::mt19937_64 random_{seed};
   std::normal_distribution<double> normal_;
 };

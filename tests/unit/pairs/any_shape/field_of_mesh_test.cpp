@@ -25,6 +25,7 @@ import abut.shapes.distance_field;
 namespace {
 
 using abut::AnyShape;
+using abut::ShapeHandle;
 using abut::Vec3;
 
 double from_ball(const Vec3& p) { return norm(p) - 0.8; }
@@ -63,7 +64,7 @@ double value_of(const AnyShape& field, const Vec3& p) { return field.distance_to
 TEST(FieldOfMesh, IsTheBallWithinItsTriangles) {
   const Triangles ball = ball_of_triangles(48);
   for (const bool is_smooth : {false, true}) {
-    const AnyShape field = abut::make_field_of_mesh(ball.xyz, ball.indices, {0.04, 3, false, is_smooth}).value();
+    const ShapeHandle field = abut::make_field_of_mesh(ball.xyz, ball.indices, {0.04, 3, false, is_smooth}).value();
     test::Random random(7);
     for (int i = 0; i < 4000; ++i) {
       const Vec3 p = random.point(1.2);
@@ -86,7 +87,7 @@ TEST(FieldOfMesh, DamageLeavesTheSignsWhereTheWindingIsClear) {
     damaged.insert(damaged.end(),
                    {ball.indices[i], ball.indices[fate < 2 ? i + 2 : i + 1], ball.indices[fate < 2 ? i + 1 : i + 2]});
   }
-  const AnyShape field = abut::make_field_of_mesh(ball.xyz, damaged, {0.05, 3, false, false}).value();
+  const ShapeHandle field = abut::make_field_of_mesh(ball.xyz, damaged, {0.05, 3, false, false}).value();
   int judged = 0;
   for (int i = 0; i < 3000; ++i) {
     const Vec3 p = random.point(1);
@@ -135,8 +136,8 @@ double from_triangles(const Vec3& p, const Triangles& ball) {
 TEST(FieldOfMesh, NearTheSurfaceItIsMadeOfAllDistances) {
   const Triangles ball = ball_of_triangles(9);
   for (const bool is_smooth : {false, true}) {
-    const AnyShape found = abut::make_field_of_mesh(ball.xyz, ball.indices, {0.07, 1, false, is_smooth}).value();
-    const auto& field = std::get<abut::DistanceField>(found);
+    const ShapeHandle found = abut::make_field_of_mesh(ball.xyz, ball.indices, {0.07, 1, false, is_smooth}).value();
+    const auto& field = std::get<abut::DistanceField>(*found);
     ASSERT_LT(field.held_blocks(), field.all_blocks());
     const std::vector<double> parameters = field.parameters();
     std::vector<double> values;
@@ -178,9 +179,9 @@ TEST(FieldOfMesh, NearTheSurfaceItIsMadeOfAllDistances) {
 TEST(FieldOfMesh, ValuesAreOffByNoMoreThanReported) {
   const Triangles ball = ball_of_triangles(9);
   for (const bool is_smooth : {false, true}) {
-    const AnyShape found = abut::make_field_of_mesh(ball.xyz, ball.indices, {0.03, 1, false, is_smooth}).value();
+    const ShapeHandle found = abut::make_field_of_mesh(ball.xyz, ball.indices, {0.03, 1, false, is_smooth}).value();
     const abut::FieldReport report = abut::field_report_of(found).value();
-    const auto& field = std::get<abut::DistanceField>(found);
+    const auto& field = std::get<abut::DistanceField>(*found);
     EXPECT_EQ(report.is_smooth, is_smooth);
     EXPECT_LT(report.held_blocks, report.blocks);
     EXPECT_NEAR(report.near_error, 0.5 * std::sqrt(3.0) * 0.03, 1e-6);
@@ -206,8 +207,8 @@ TEST(FieldOfMesh, ValuesAreOffByNoMoreThanReported) {
 // Blocks without samples say nothing about the surface, and rays pass through them in long steps.
 TEST(FieldOfMesh, RaysMeetItWhereItIsBent) {
   const Triangles ball = ball_of_triangles(32);
-  const AnyShape made_of_mesh = abut::make_field_of_mesh(ball.xyz, ball.indices, {0.03, 1, false, false}).value();
-  const auto& rest = std::get<abut::DistanceField>(made_of_mesh);
+  const ShapeHandle made_of_mesh = abut::make_field_of_mesh(ball.xyz, ball.indices, {0.03, 1, false, false}).value();
+  const auto& rest = std::get<abut::DistanceField>(*made_of_mesh);
   std::vector<double> parameters = rest.parameters(), reals = rest.buffers().reals;
   for (int i = 0; i < 8; ++i) {
     const auto along = [&](std::size_t axis, bool is_upper) {
@@ -244,7 +245,7 @@ TEST(FieldOfMesh, BadInputIsRefusedByName) {
   const std::vector<double> xyz{0, 0, 0, 1, 0, 0, 0, 1, 0};
   const auto message = [](const std::vector<double>& points, const std::vector<std::uint32_t>& indices,
                           const abut::FieldOptions& options) {
-    const abut::Result<AnyShape> made = abut::make_field_of_mesh(points, indices, options);
+    const abut::Result<ShapeHandle> made = abut::make_field_of_mesh(points, indices, options);
     return made ? std::string("none") : made.error().message;
   };
   EXPECT_EQ(message({}, {0, 1, 2}, {}), "vertex_count is 0; a distance field of a mesh needs vertices");

@@ -17,7 +17,6 @@
 #include "../../random_boxes.hpp"
 
 import abut.capability;
-import abut.core;
 import abut.math;
 import abut.pairs.any_shape;
 import abut.pairs.any_shape.casts.shape_cast;
@@ -26,12 +25,13 @@ import abut.pairs.registry;
 namespace {
 
 using abut::AnyShape;
+using abut::ShapeHandle;
 using abut::Outcome;
 using abut::Pose;
 using abut::Vec3;
 
-AnyShape made(std::string_view kind, const std::vector<double>& parameters, const std::vector<double>& reals = {},
-              const std::vector<std::uint32_t>& indices = {}) {
+ShapeHandle made(std::string_view kind, const std::vector<double>& parameters, const std::vector<double>& reals = {},
+                 const std::vector<std::uint32_t>& indices = {}) {
   return abut::make_shape(*abut::find_kind(kind), parameters, reals, indices).value();
 }
 
@@ -53,7 +53,7 @@ std::vector<double> values_of(ValueOf&& value_of) {
   return values;
 }
 template <class ValueOf>
-AnyShape field_of(ValueOf&& value_of, bool is_inside_out = false, bool is_smooth = false) {
+ShapeHandle field_of(ValueOf&& value_of, bool is_inside_out = false, bool is_smooth = false) {
   const double low = -0.5 * (samples - 1) * cell;
   return made(
       "distance_field",
@@ -84,7 +84,7 @@ Pose placed(test::Random& random, double by) {
 
 // A shape with a test of its own of which points are in it.
 struct Solid {
-  AnyShape shape;
+  ShapeHandle shape;
   double reach;   // half of the box that holds it
   double radius;  // around its core
   bool (*holds)(const Vec3& p);
@@ -128,7 +128,7 @@ double least_of_points(const Solid& solid, const Pose& pose, ValueOf&& value_of)
 
 template <class ValueOf>
 void expect_deepest_point(ValueOf&& value_of, std::uint64_t seed, bool is_smooth = false) {
-  const AnyShape field = field_of(value_of, false, is_smooth);
+  const ShapeHandle field = field_of(value_of, false, is_smooth);
   // Half the diagonal of a cell where edges become round.
   const double off = (is_smooth ? 0.87 : 0.5) * cell;
   test::Random random(seed);
@@ -182,7 +182,7 @@ TEST(FieldPairs, SmoothFieldsFindTheDeepestPointOfConvexShapes) {
 // Four corners of a box that lies flat, each as deep as the box.
 TEST(FieldPairs, ABoxRestsOnFourCorners) {
   for (const bool is_smooth : {false, true}) {
-    const AnyShape field = field_of(from_slab, false, is_smooth), box = made("box", {0.4, 0.3, 0.2});
+    const ShapeHandle field = field_of(from_slab, false, is_smooth), box = made("box", {0.4, 0.3, 0.2});
     const abut::Manifold manifold = contacts(field, box, {abut::Rotation::identity(), {0.1, 0.05, 0.44}});
     ASSERT_EQ(manifold.size(), 4U);
     for (const abut::ContactPoint& contact : manifold) {
@@ -197,7 +197,7 @@ TEST(FieldPairs, ABoxRestsOnFourCorners) {
 // A beam over a ring touches it on both sides.
 TEST(FieldPairs, EveryDeepestPointIsAContact) {
   for (const bool is_smooth : {false, true}) {
-    const AnyShape ring = field_of(from_torus, false, is_smooth), beam = made("capsule", {0.1, 1});
+    const ShapeHandle ring = field_of(from_torus, false, is_smooth), beam = made("capsule", {0.1, 1});
     const Pose along_x{abut::Rotation::from({std::sqrt(0.5), 0, std::sqrt(0.5), 0}), {0, 0, 0.38}};
     const abut::Manifold manifold = contacts(ring, beam, along_x);
     int left = 0, right = 0;
@@ -213,7 +213,7 @@ TEST(FieldPairs, EveryDeepestPointIsAContact) {
 
 TEST(FieldPairs, TwoBallsAsFieldsAgreeWithTheClosedForm) {
   for (const bool is_smooth : {false, true}) {
-    const AnyShape ball = field_of(from_ball, false, is_smooth);
+    const ShapeHandle ball = field_of(from_ball, false, is_smooth);
     test::Random random(5);
     for (int i = 0; i < 40; ++i) {
       const Pose pose = placed(random, 1.5);
@@ -237,7 +237,7 @@ TEST(FieldPairs, TwoBallsAsFieldsAgreeWithTheClosedForm) {
 
 TEST(FieldPairs, PlanesMeetTheLowestPoints) {
   for (const bool is_smooth : {false, true}) {
-    const AnyShape slab = field_of(from_slab, false, is_smooth), plane = made("plane", {0, 0, 1, 0});
+    const ShapeHandle slab = field_of(from_slab, false, is_smooth), plane = made("plane", {0, 0, 1, 0});
     const Pose above{abut::Rotation::identity(), {0, 0, 0.24}};
     EXPECT_NEAR(distance(plane, slab, above).distance, -0.01, 1e-6);
     const abut::Manifold manifold = contacts(plane, slab, above);
@@ -257,9 +257,9 @@ TEST(FieldPairs, PlanesMeetTheLowestPoints) {
 
 TEST(FieldPairs, SurfacesMeetFieldsTriangleByTriangle) {
   for (const bool is_smooth : {false, true}) {
-    const AnyShape ball = field_of(from_ball, false, is_smooth);
-    const AnyShape sheet = made("mesh", {0}, {-2, -2, 0, 2, -2, 0, 2, 2, 0, -2, 2, 0}, {0, 1, 2, 0, 2, 3});
-    const AnyShape ground = made("height_field", {2, 2, 4, 4}, {0, 0, 0, 0});
+    const ShapeHandle ball = field_of(from_ball, false, is_smooth);
+    const ShapeHandle sheet = made("mesh", {0}, {-2, -2, 0, 2, -2, 0, 2, 2, 0, -2, 2, 0}, {0, 1, 2, 0, 2, 3});
+    const ShapeHandle ground = made("height_field", {2, 2, 4, 4}, {0, 0, 0, 0});
     const Pose above{abut::Rotation::identity(), {0.1, 0.2, -0.75}}, corner{above.rotation, {-1.9, -1.8, -0.75}};
     EXPECT_NEAR(distance(ball, sheet, above).distance, -0.05, 0.3 * cell);
     EXPECT_NEAR(distance(ball, ground, corner).distance, -0.05, 0.3 * cell);
@@ -278,8 +278,8 @@ TEST(FieldPairs, SurfacesMeetFieldsTriangleByTriangle) {
 }
 
 TEST(FieldPairs, ParticlesAndChildrenMeetFieldsOneByOne) {
-  const AnyShape slab = field_of(from_slab);
-  const AnyShape balls = made("particles", {0.1}, {0, 0, 0, 0.5, 0, 0, 0.5, 0.5, 1});
+  const ShapeHandle slab = field_of(from_slab);
+  const ShapeHandle balls = made("particles", {0.1}, {0, 0, 0, 0.5, 0, 0, 0.5, 0.5, 1});
   const abut::Manifold manifold = contacts(slab, balls, {abut::Rotation::identity(), {0, 0, 0.34}});
   ASSERT_EQ(manifold.size(), 2U);
   for (const abut::ContactPoint& contact : manifold) {
@@ -291,7 +291,7 @@ TEST(FieldPairs, ParticlesAndChildrenMeetFieldsOneByOne) {
 // What lies in a container touches its wall where it comes near.
 TEST(FieldPairs, AContainerHoldsWhatIsInIt) {
   for (const bool is_smooth : {false, true}) {
-    const AnyShape container = field_of(from_ball, true, is_smooth), ball = made("sphere", {0.3});
+    const ShapeHandle container = field_of(from_ball, true, is_smooth), ball = made("sphere", {0.3});
     const auto at = [](double x) { return Pose{abut::Rotation::identity(), {x, 0, 0}}; };
     EXPECT_NEAR(distance(container, ball, at(0.4)).distance, 0.1, 0.3 * cell);
     EXPECT_NEAR(distance(container, ball, at(0.55)).distance, -0.05, 0.3 * cell);
@@ -314,7 +314,7 @@ TEST(FieldPairs, AContainerHoldsWhatIsInIt) {
 
 TEST(FieldPairs, ACastStopsAtTheSurface) {
   for (const bool is_smooth : {false, true}) {
-    const AnyShape slab = field_of(from_slab, false, is_smooth), ball = made("sphere", {0.2});
+    const ShapeHandle slab = field_of(from_slab, false, is_smooth), ball = made("sphere", {0.2});
     std::optional<abut::ShapeCastHit> hit;
     ASSERT_EQ(abut::cast_shapes(slab, Pose::identity(), {0, 0, 0}, ball, {abut::Rotation::identity(), {0.1, 0.2, 2}},
                                 {0, 0, -4}, {}, 1, hit),
@@ -334,7 +334,7 @@ Vec3 unbent(const Vec3& p) {
   const double c = std::cos(2.4), s = std::sin(2.4), z = p.z / 0.8, x = (p.x - 0.2 * z) / 1.3, y = p.y / 1.3;
   return {c * x + s * y, -s * x + c * y, z};
 }
-AnyShape bent_field(const std::vector<double>& values, bool is_inside_out, bool is_smooth) {
+ShapeHandle bent_field(const std::vector<double>& values, bool is_inside_out, bool is_smooth) {
   constexpr int along = 3;
   const double low = -0.5 * (samples - 1) * cell;
   std::vector<double> reals = values;
@@ -367,11 +367,11 @@ TEST(FieldPairs, BentFieldsAreAsFarAsTheirPoints) {
   // Half a cell and the way between two points, both stretched.
   const double off = 1.6 * (0.5 * cell + 0.02);
   for (const bool is_smooth : {false, true}) {
-    const AnyShape field = bent_field(values_of(from_torus), false, is_smooth);
-    const AnyShape ball = made("sphere", {0.3}), box = made("box", {0.4, 0.3, 0.2});
-    const AnyShape sheet =
+    const ShapeHandle field = bent_field(values_of(from_torus), false, is_smooth);
+    const ShapeHandle ball = made("sphere", {0.3}), box = made("box", {0.4, 0.3, 0.2});
+    const ShapeHandle sheet =
         made("mesh", {0}, {-0.5, -0.5, 0, 0.5, -0.5, 0, 0.5, 0.5, 0, -0.5, 0.5, 0}, {0, 1, 2, 0, 2, 3});
-    const AnyShape plane = made("plane", {0, 0, 1, 0}), other = field_of(from_ball, false, is_smooth);
+    const ShapeHandle plane = made("plane", {0, 0, 1, 0}), other = field_of(from_ball, false, is_smooth);
     test::Random random(31);
     // Points that are found are seldom not the nearest ones; then the bounds are apart.
     int apart = 0, nearest = 0;
@@ -415,7 +415,7 @@ TEST(FieldPairs, BentFieldsAreAsFarAsTheirPoints) {
 }
 
 TEST(FieldPairs, ABentContainerHoldsWhatIsInIt) {
-  const AnyShape container = bent_field(values_of(from_ball), true, true), ball = made("sphere", {0.2});
+  const ShapeHandle container = bent_field(values_of(from_ball), true, true), ball = made("sphere", {0.2});
   // The wall is 0.64 above the middle, and slopes by the shear.
   const auto at = [](double z) { return Pose{abut::Rotation::identity(), {0.25 * z, 0, z}}; };
   EXPECT_TRUE(contacts(container, ball, at(0.2)).empty());
@@ -424,21 +424,21 @@ TEST(FieldPairs, ABentContainerHoldsWhatIsInIt) {
 }
 
 // Only the sample in the middle of the grid is inside, by `depth`. Its neighbours know nothing of it.
-AnyShape field_of_one_sample(double depth, bool is_smooth) {
+ShapeHandle field_of_one_sample(double depth, bool is_smooth) {
   return field_of([&](const Vec3& p) { return norm(p) < 0.5 * cell ? -depth : 0.6 + 0.1 * p.x; }, false, is_smooth);
 }
 
 TEST(FieldPairs, ASingleSampleInsideIsFound) {
-  const AnyShape point = made("point", {}), ball = made("sphere", {0.05}), box = made("box", {0.1, 0.2, 0.05});
+  const ShapeHandle point = made("point", {}), ball = made("sphere", {0.05}), box = made("box", {0.1, 0.2, 0.05});
   for (const bool is_smooth : {false, true}) {
-    const AnyShape field = field_of_one_sample(is_smooth ? 4 : 0.1, is_smooth);
+    const ShapeHandle field = field_of_one_sample(is_smooth ? 4 : 0.1, is_smooth);
     test::Random random(29);
     for (int i = 0; i < 60; ++i) {
       const Vec3 way = random.point(1), place = (random.uniform(0.4, 1.1) / norm(way)) * way;
-      for (const AnyShape* other : {&point, &ball, &box}) {
+      for (const ShapeHandle* other : {&point, &ball, &box}) {
         const abut::Distance found = distance(field, *other, {abut::Rotation::identity(), place});
         EXPECT_LT(found.upper, abut::infinity);
-        EXPECT_NEAR(field.distance_to(found.point_a)->distance, 0, 1e-5 * cell);
+        EXPECT_NEAR(field->distance_to(found.point_a)->distance, 0, 1e-5 * cell);
         EXPECT_LE(norm(found.point_a), 1.5 * cell);
         EXPECT_TRUE(contacts(field, *other, {abut::Rotation::identity(), place}, 0.5 * found.distance).empty());
         EXPECT_FALSE(contacts(field, *other, {abut::Rotation::identity(), place}, 1.01 * found.distance).empty());
@@ -448,18 +448,19 @@ TEST(FieldPairs, ASingleSampleInsideIsFound) {
 }
 
 // A box with a cavity around its middle.
-AnyShape hollow_box() {
-  const std::array children{abut::PlacedShape{abut::Frozen<AnyShape>(made("box", {0.3, 0.3, 0.3})), Pose::identity()},
-                            abut::PlacedShape{abut::Frozen<AnyShape>(made("sphere_hole", {0.1})), Pose::identity()}};
+ShapeHandle hollow_box() {
+  const std::array children{abut::PlacedShape{abut::ShapeHandle(made("box", {0.3, 0.3, 0.3})), Pose::identity()},
+                            abut::PlacedShape{abut::ShapeHandle(made("sphere_hole", {0.1})), Pose::identity()}};
   return abut::make_composite(children).value();
 }
 
 // Means of a sample and its neighbours are all positive: there is no solid.
 TEST(FieldPairs, NothingTouchesASolidWithoutAPoint) {
-  const AnyShape none = field_of_one_sample(0.01, true), ball = made("sphere", {0.05}), large = made("sphere", {0.7}),
-                 other = field_of([](const Vec3& p) { return norm(p) - 0.3; }), hollow = hollow_box();
+  const ShapeHandle none = field_of_one_sample(0.01, true), ball = made("sphere", {0.05}),
+                    large = made("sphere", {0.7}), other = field_of([](const Vec3& p) { return norm(p) - 0.3; }),
+                    hollow = hollow_box();
   const Pose near{abut::Rotation::identity(), {0.2, 0.1, 0}};
-  for (const AnyShape* shape : std::array{&ball, &large, &other, &none, &hollow}) {
+  for (const ShapeHandle* shape : std::array{&ball, &large, &other, &none, &hollow}) {
     for (const bool is_first : {true, false}) {
       const AnyShape &a = is_first ? none : *shape, &b = is_first ? *shape : none;
       const abut::Distance found = distance(a, b, near);

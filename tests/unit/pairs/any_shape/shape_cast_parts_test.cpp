@@ -15,9 +15,9 @@ namespace {
 using namespace test::casts;
 
 TEST(CastShapesOfParts, OneSidedSheetsLetThroughWhatComesFromBehind) {
-  const AnyShape ball = make("sphere", {0.5});
+  const ShapeHandle ball = make("sphere", {0.5});
   for (const bool one_sided : {false, true}) {
-    const AnyShape sheet = make_square(3, one_sided);
+    const ShapeHandle sheet = make_square(3, one_sided);
     EXPECT_TRUE(cast(ball, at({0.2, 0.1, 4}), {0, 0, -8}, sheet, at({0, 0, 0})));
     EXPECT_EQ(cast(ball, at({0.2, 0.1, -4}), {0, 0, 8}, sheet, at({0, 0, 0})).has_value(), !one_sided);
     EXPECT_EQ(cast(sheet, at({0, 0, 0}), {0, 0, -8}, ball, at({0.2, 0.1, -4})).has_value(), !one_sided);
@@ -39,8 +39,8 @@ TEST(CastShapesOfParts, OfMeshesIsTheFirstOfTheirTriangles) {
       }
     }
   }
-  const AnyShape mesh = make("mesh", {0}, points, corners);
-  std::vector<AnyShape> triangles;
+  const ShapeHandle mesh = make("mesh", {0}, points, corners);
+  std::vector<ShapeHandle> triangles;
   for (std::size_t first = 0; first < corners.size(); first += 3) {
     std::vector<Real> numbers;
     for (std::size_t k = 0; k < 3; ++k) {
@@ -49,8 +49,8 @@ TEST(CastShapesOfParts, OfMeshesIsTheFirstOfTheirTriangles) {
     }
     triangles.push_back(make("triangle", numbers));
   }
-  const std::vector<AnyShape> movers{make("sphere", {0.2}), make("box", {0.2, 0.3, 0.1}), make("cylinder", {0.2, 0.3}),
-                                     make("particles", {0.1}, {0, 0, 0, 0.3, 0.1, 0})};
+  const std::vector<ShapeHandle> movers{make("sphere", {0.2}), make("box", {0.2, 0.3, 0.1}),
+                                        make("cylinder", {0.2, 0.3}), make("particles", {0.1}, {0, 0, 0, 0.3, 0.1, 0})};
   int hits = 0;
   for (int i = 0; i < 24; ++i) {
     const AnyShape& mover = movers[static_cast<std::size_t>(i) % movers.size()];
@@ -86,10 +86,10 @@ TEST(CastShapesOfParts, OfCompositesIsTheFirstOfTheirChildren) {
   for (int i = 0; i < 12; ++i) {
     children.push_back({i % 3 == 0 ? ball : i % 3 == 1 ? block : sheet, random.pose(random.vector(3))});
   }
-  const AnyShape composite = make_composite(children).value();
+  const ShapeHandle composite = make_composite(children).value();
   int hits = 0;
   for (int i = 0; i < 60; ++i) {
-    const AnyShape mover = make("capsule", {0.2, 0.3});
+    const ShapeHandle mover = make("capsule", {0.2, 0.3});
     const Pose placed = random.pose(random.vector(1)),
                from = placed * random.pose({random.in(-3, 3), random.in(-3, 3), 6});
     const Vec3 by = placed.rotation * Vec3{random.in(-2, 2), random.in(-2, 2), -11};
@@ -120,8 +120,8 @@ TEST(CastShapesOfParts, HeightFieldsInCompositesMeet) {
   const ShapeHandle field{make("height_field", {3, 3, 2, 2}, std::vector<Real>(9, 0.0))}, ball{make("sphere", {0.5})};
   const Vec3 middle = aabb_of(*field, at({0, 0, 0})).centre();
   const Pose over{Rotation::identity(), -middle}, under{Rotation::from({0, 1, 0, 0}), {-middle.x, middle.y, 0}};
-  const AnyShape ground = make_composite(std::vector<PlacedShape>{{field, over}}).value();
-  const AnyShape lid = make_composite(std::vector<PlacedShape>{{ball, at({0.3, 0.2, 1})}, {field, under}}).value();
+  const ShapeHandle ground = make_composite(std::vector<PlacedShape>{{field, over}}).value();
+  const ShapeHandle lid = make_composite(std::vector<PlacedShape>{{ball, at({0.3, 0.2, 1})}, {field, under}}).value();
   const auto hit = cast(lid, at({0, 0, 4}), {0, 0, -8}, ground, at({0, 0, 0}));
   ASSERT_TRUE(hit);
   EXPECT_NEAR(hit->fraction, 4.0 / 8, 1e-12);
@@ -131,7 +131,7 @@ TEST(CastShapesOfParts, HeightFieldsInCompositesMeet) {
 // A plate with a shaft through it lets through what fits, and stops what does not.
 TEST(CastShapesOfParts, HolesLetThrough) {
   const ShapeHandle plate{make("box", {2, 2, 0.5})}, shaft{make("cylinder_hole", {0.6, 1, 3})};
-  const AnyShape pierced =
+  const ShapeHandle pierced =
       make_composite(std::vector<PlacedShape>{{plate, at({0, 0, 0})}, {shaft, at({0, 0, 0})}}).value();
   EXPECT_FALSE(cast(make("sphere", {0.4}), at({0.1, 0, 3}), {0, 0, -6}, pierced, at({0, 0, 0})));
   const auto beside = cast(make("sphere", {0.4}), at({1.2, 0, 3}), {0, 0, -6}, pierced, at({0, 0, 0}));

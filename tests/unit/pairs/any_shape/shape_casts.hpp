@@ -14,17 +14,16 @@ import abut.core;
 import abut.math;
 import abut.pairs.any_shape.casts.shape_cast;
 import abut.pairs.any_shape;
-import abut.pairs.registry;
 
 namespace test::casts {
 
 using namespace abut;
 
-inline AnyShape make(std::string_view kind, const std::vector<Real>& parameters, const std::vector<Real>& reals = {},
-                     const std::vector<std::uint32_t>& indices = {}) {
+inline ShapeHandle make(std::string_view kind, const std::vector<Real>& parameters, const std::vector<Real>& reals = {},
+                        const std::vector<std::uint32_t>& indices = {}) {
   return make_shape(*find_kind(kind), parameters, reals, indices).value();
 }
-inline AnyShape make_hull_of_box(const Vec3& half) {
+inline ShapeHandle make_hull_of_box(const Vec3& half) {
   std::vector<Real> corners;
   for (int i = 0; i < 8; ++i) {
     corners.insert(corners.end(),
@@ -32,7 +31,7 @@ inline AnyShape make_hull_of_box(const Vec3& half) {
   }
   return make("hull", {}, corners);
 }
-inline AnyShape make_square(Real half, bool one_sided) {
+inline ShapeHandle make_square(Real half, bool one_sided) {
   return make("mesh", {one_sided ? 1.0 : 0.0}, {-half, -half, 0, half, -half, 0, half, half, 0, -half, half, 0},
               {0, 1, 2, 0, 2, 3});
 }

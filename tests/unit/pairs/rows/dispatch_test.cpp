@@ -11,6 +11,7 @@ import abut.capability;
 import abut.core;
 import abut.math;
 import abut.pairs.registry;
+import abut.pairs.two_shapes.runs;
 import abut.pairs.rows.dispatch;
 
 namespace {
@@ -121,11 +122,10 @@ TEST(ContactsByRoute, FlippedPairsLeaveEarlierContactsAlone) {
 TEST(ContactsOfRun, AreThoseOfEachJob) {
   test::Random random(282);
   const Box box = Box::make(std::vector{0.5, 0.6, 0.7}, {}, {}).value();
-  const std::vector<abut::Frozen<abut::AnyShape>> shapes{abut::Frozen<abut::AnyShape>(ball()),
-                                                         abut::Frozen<abut::AnyShape>(box)};
+  const std::vector<abut::ShapeHandle> shapes{abut::ShapeHandle(ball()), abut::ShapeHandle(box)};
   std::vector<Pose> poses;
   std::vector<abut::PairJob> jobs;
-  std::vector<abut::Frozen<abut::AnyShape>> placed;
+  std::vector<abut::ShapeHandle> placed;
   for (std::uint32_t i = 0; i < 60; i += 2) {
     placed.push_back(shapes[0]);
     placed.push_back(shapes[1]);
@@ -133,17 +133,19 @@ TEST(ContactsOfRun, AreThoseOfEachJob) {
     poses.push_back({random.rotation(), poses.back().position + random.point(1)});
     jobs.push_back({i, i + 1, random.uniform(0, 0.3)});
   }
-  const auto& kernels = abut::pair_kernels(shapes[0]->index(), shapes[1]->index());
+  const abut::RunKinds kinds{shapes[0]->index(), shapes[1]->index()};
   abut::Manifold all;
+  abut::PairMemories memories;
   std::vector<abut::PairResult> results(jobs.size());
-  abut::contacts_of_run<abut::AnyShape>(kernels, placed, poses, jobs, {}, {}, all, results);
+  abut::contacts_of_run(kinds, placed, poses, jobs, {}, memories, all, results);
   std::size_t begin = 0;
   for (std::size_t i = 0; i < jobs.size(); ++i) {
     abut::QuerySettings settings;
     settings.margin = jobs[i].margin;
     abut::Manifold alone;
-    const abut::Outcome outcome = kernels.contacts(
-        *shapes[0], *shapes[1], Pose::identity(), relative(poses[jobs[i].a], poses[jobs[i].b]), false, settings, alone);
+    const abut::Outcome outcome = abut::pair_kernels(kinds.row, kinds.column)
+                                      .contacts(*shapes[0], *shapes[1], Pose::identity(),
+                                                relative(poses[jobs[i].a], poses[jobs[i].b]), false, settings, alone);
     EXPECT_EQ(results[i].outcome, outcome);
     ASSERT_EQ(results[i].contacts_end - begin, alone.size()) << "job " << i;
     for (std::size_t k = 0; k < alone.size(); ++k) {
@@ -162,20 +164,21 @@ TEST(ContactsOfRun, RememberPairsWhereTheJobsSay) {
   const Box box = Box::make(std::vector{0.5, 0.6, 0.7}, {}, {}).value();
   const std::vector<double> corners{-1, -1, -1, 1, -1, -1, 0, 1, -1, 0, 0, 1};
   const abut::Hull hull = abut::Hull::make({}, corners, {}).value();
-  const std::vector<abut::Frozen<abut::AnyShape>> shapes{abut::Frozen<abut::AnyShape>(box),
-                                                         abut::Frozen<abut::AnyShape>(hull)};
-  const auto& kernels = abut::pair_kernels(shapes[0]->index(), shapes[1]->index());
-  std::vector<abut::PairMemory> memories(3);
+  const std::vector<abut::ShapeHandle> shapes{abut::ShapeHandle(box), abut::ShapeHandle(hull)};
+  const abut::RunKinds kinds{shapes[0]->index(), shapes[1]->index()};
+  abut::PairMemories memories, none;
+  while (memories.add() < 2) {
+  }
   for (int step = 0; step < 3; ++step) {
     const std::vector<Pose> poses{Pose::identity(), {abut::Rotation::identity(), {0.1, 0.2, 1.6 + 0.01 * step}}};
     std::vector<abut::PairJob> jobs{{0, 1, 0, 2}, {0, 1, 0}, {0, 1, 0, 0}};
     abut::Manifold with, without;
     std::vector<abut::PairResult> results(jobs.size()), expected(jobs.size());
-    abut::contacts_of_run<abut::AnyShape>(kernels, shapes, poses, jobs, {}, memories, with, results);
+    abut::contacts_of_run(kinds, shapes, poses, jobs, {}, memories, with, results);
     for (abut::PairJob& job : jobs) {
       job.memory = abut::no_memory;
     }
-    abut::contacts_of_run<abut::AnyShape>(kernels, shapes, poses, jobs, {}, {}, without, expected);
+    abut::contacts_of_run(kinds, shapes, poses, jobs, {}, none, without, expected);
     ASSERT_EQ(with.size(), without.size());
     ASSERT_GT(with.size(), 2u);
     for (std::size_t i = 0; i < with.size(); ++i) {
@@ -183,9 +186,9 @@ TEST(ContactsOfRun, RememberPairsWhereTheJobsSay) {
       EXPECT_EQ(with[i].distance, without[i].distance);
       EXPECT_EQ(with[i].point_a, without[i].point_a);
     }
-    EXPECT_NE(memories[0].state, abut::PairMemory::State::nothing);
-    EXPECT_EQ(memories[1].state, abut::PairMemory::State::nothing);
-    EXPECT_NE(memories[2].state, abut::PairMemory::State::nothing);
+    EXPECT_FALSE(memories.knows_nothing(0));
+    EXPECT_TRUE(memories.knows_nothing(1));
+    EXPECT_FALSE(memories.knows_nothing(2));
   }
 }
 

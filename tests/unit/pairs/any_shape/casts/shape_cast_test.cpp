@@ -48,7 +48,7 @@ TEST(CastShapes, OfBallAndPlaneIsTheClosedForm) {
     const Vec3 by{random.in(-5, 5), random.in(-5, 5), random.in(-8, 1)};
     const Real way = (1 - ball.position.z) / by.z;
     for (const bool is_plane_first : {false, true}) {
-      const AnyShape a = make("sphere", {1}), b = make("plane", {0, 0, 1, 0});
+      const ShapeHandle a = make("sphere", {1}), b = make("plane", {0, 0, 1, 0});
       const auto hit =
           is_plane_first ? cast(b, at({0, 0, 0}), {0, 0, 0}, a, ball, by) : cast(a, ball, by, b, at({0, 0, 0}));
       ASSERT_EQ(hit.has_value(), way >= 0 && way <= 1);
@@ -76,8 +76,8 @@ TEST(CastShapes, OfAlignedBoxesIsTheClosedForm) {
       leave = std::min(leave, std::max(first, last));
     }
     for (const bool as_hulls : {false, true}) {
-      const AnyShape a = as_hulls ? make_hull_of_box(half_a) : make("box", {half_a.x, half_a.y, half_a.z});
-      const AnyShape b = make("box", {half_b.x, half_b.y, half_b.z});
+      const ShapeHandle a = as_hulls ? make_hull_of_box(half_a) : make("box", {half_a.x, half_a.y, half_a.z});
+      const ShapeHandle b = make("box", {half_b.x, half_b.y, half_b.z});
       const auto hit = cast(a, at({0, 0, 0}), {0, 0, 0}, b, at(p), v);
       ASSERT_EQ(hit.has_value(), enter <= leave) << i;
       if (hit) {
@@ -124,7 +124,7 @@ std::optional<Real> bisected(const AnyShape& a, const Pose& pose_a, const AnySha
   return high;
 }
 
-std::vector<AnyShape> make_solids() {
+std::vector<ShapeHandle> make_solids() {
   return {make("sphere", {0.7}),
           make("box", {0.5, 0.7, 0.3}),
           make("capsule", {0.3, 0.6}),
@@ -139,7 +139,7 @@ std::vector<AnyShape> make_solids() {
 
 TEST(CastShapes, OfSolidsAgreesWithBisection) {
   Random random(4);
-  const std::vector<AnyShape> solids = make_solids();
+  const std::vector<ShapeHandle> solids = make_solids();
   constexpr Real size = 2;
   int hits = 0, misses = 0;
   for (const AnyShape& a : solids) {
@@ -152,15 +152,17 @@ TEST(CastShapes, OfSolidsAgreesWithBisection) {
                    furthest = bisected(a, pose_a, b, pose_b, by, 1e-9 * size);
         // A hit that a shift by the tolerance undoes may be either.
         if (nearest) {
-          ASSERT_TRUE(hit) << kind_name(a.index()) << " " << kind_name(b.index());
+          ASSERT_TRUE(hit) << kind_name(kind_in_pairs(a)) << " " << kind_name(kind_in_pairs(b));
         }
         if (!furthest) {
-          ASSERT_FALSE(hit) << kind_name(a.index()) << " " << kind_name(b.index());
+          ASSERT_FALSE(hit) << kind_name(kind_in_pairs(a)) << " " << kind_name(kind_in_pairs(b));
         }
         if (hit && nearest) {
           ++hits;
-          EXPECT_LE(hit->fraction, *nearest + 1e-12) << kind_name(a.index()) << " " << kind_name(b.index());
-          EXPECT_GE(hit->fraction, *furthest - 1e-12) << kind_name(a.index()) << " " << kind_name(b.index());
+          EXPECT_LE(hit->fraction, *nearest + 1e-12)
+              << kind_name(kind_in_pairs(a)) << " " << kind_name(kind_in_pairs(b));
+          EXPECT_GE(hit->fraction, *furthest - 1e-12)
+              << kind_name(kind_in_pairs(a)) << " " << kind_name(kind_in_pairs(b));
           EXPECT_LE(hit->contact.distance, 1e-9 * size);
         }
         misses += hit ? 0 : 1;
@@ -173,7 +175,7 @@ TEST(CastShapes, OfSolidsAgreesWithBisection) {
 
 TEST(CastShapes, SwappedSidesGiveTheSameTouch) {
   Random random(5);
-  std::vector<AnyShape> shapes = make_solids();
+  std::vector<ShapeHandle> shapes = make_solids();
   shapes.push_back(make_square(2, false));
   shapes.push_back(make("particles", {0.3}, {0, 0, 0, 0.8, 0.2, 0, -0.5, 0.6, 0.1}));
   for (const AnyShape& a : shapes) {
@@ -181,7 +183,8 @@ TEST(CastShapes, SwappedSidesGiveTheSameTouch) {
       const Pose pose_a = random.pose({0, 0, 0}), pose_b = random.pose({5, 0.1, 0.2});
       const Vec3 by_a{2, 0.1, 0}, by_b{-4, 0, 0.1};
       const auto forth = cast(a, pose_a, by_a, b, pose_b, by_b), back = cast(b, pose_b, by_b, a, pose_a, by_a);
-      ASSERT_EQ(forth.has_value(), back.has_value()) << kind_name(a.index()) << " " << kind_name(b.index());
+      ASSERT_EQ(forth.has_value(), back.has_value())
+          << kind_name(kind_in_pairs(a)) << " " << kind_name(kind_in_pairs(b));
       if (forth) {
         EXPECT_NEAR(forth->fraction, back->fraction, 1e-9);
         EXPECT_EQ(forth->child_a, back->child_b);
@@ -193,21 +196,21 @@ TEST(CastShapes, SwappedSidesGiveTheSameTouch) {
 
 // What is thin, far, fast or of unlike sizes is met all the same.
 TEST(CastShapes, NothingTunnels) {
-  const std::vector<AnyShape> plates{make("box", {1, 1, 1e-6}),
-                                     make_hull_of_box({1, 1, 1e-6}),
-                                     make_square(1, false),
-                                     make_square(1, true),
-                                     make("triangle", {-2, -2, 0, 2, -2, 0, 0, 2, 0}),
-                                     make("cylinder", {1, 1e-6})};
+  const std::vector<ShapeHandle> plates{make("box", {1, 1, 1e-6}),
+                                        make_hull_of_box({1, 1, 1e-6}),
+                                        make_square(1, false),
+                                        make_square(1, true),
+                                        make("triangle", {-2, -2, 0, 2, -2, 0, 0, 2, 0}),
+                                        make("cylinder", {1, 1e-6})};
   for (const AnyShape& plate : plates) {
     for (const AnyShape& bullet :
          {make("sphere", {0.01}), make("box", {0.02, 0.03, 1e-6}), make("point", {}), make("capsule", {1e-3, 0.01})}) {
       for (const Real way : {10.0, 1e3, 1e6}) {
         const Aabb box = aabb_of(bullet, Pose::identity()), wall = aabb_of(plate, Pose::identity());
         const auto hit = cast(bullet, at({0.1, 0.05, 0.3 * way}), {0, 0, -way}, plate, at({0, 0, 0}));
-        ASSERT_TRUE(hit) << kind_name(plate.index()) << " " << kind_name(bullet.index()) << " " << way;
+        ASSERT_TRUE(hit) << kind_name(kind_in_pairs(plate)) << " " << kind_name(kind_in_pairs(bullet)) << " " << way;
         EXPECT_NEAR(hit->fraction * way, 0.3 * way - wall.high.z + box.low.z, 1e-9 + 1e-15 * way)
-            << kind_name(plate.index()) << " " << kind_name(bullet.index());
+            << kind_name(kind_in_pairs(plate)) << " " << kind_name(kind_in_pairs(bullet));
       }
     }
   }
@@ -233,7 +236,7 @@ TEST(CastShapes, TellsTheDepthOfWhatOverlapsAtTheStart) {
 }
 
 TEST(CastShapes, KeepsTheMargin) {
-  const AnyShape ball = make("sphere", {1});
+  const ShapeHandle ball = make("sphere", {1});
   const auto solids = cast(ball, at({0, 0, 0}), {10, 0, 0}, ball, at({5, 0, 0}), {0, 0, 0}, 0.5);
   ASSERT_TRUE(solids);
   EXPECT_NEAR(solids->fraction, 0.25, 1e-14);
@@ -245,7 +248,7 @@ TEST(CastShapes, KeepsTheMargin) {
 
 TEST(CastShapes, SaysWhatHasNoAnswer) {
   std::optional<ShapeCastHit> hit;
-  const AnyShape plane = make("plane", {0, 0, 1, 0});
+  const ShapeHandle plane = make("plane", {0, 0, 1, 0});
   EXPECT_EQ(cast_shapes(plane, at({0, 0, 0}), {0, 0, -1}, plane, at({0, 0, -3}), {0, 0, 0}, {}, 1, hit),
             Outcome::unsupported);
   EXPECT_FALSE(hit);

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // A convex shape of any kind: a whole one, or a triangle or a ball of one that is made of many. One search then serves
 // all of them. A whole shape has to outlive its part.
-export module abut.motion.impacts.convex_part;
+export module abut.pairs.taken_apart.convex_part;
 import abut.capability;
 import abut.core.standard;
 import abut.math;
-import abut.pairs.registry;
+import abut.pairs.shape_handle;
 
 export namespace abut {
 

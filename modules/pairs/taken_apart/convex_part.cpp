@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-module abut.motion.impacts.convex_part;
+module abut.pairs.taken_apart.convex_part;
 import abut.capability;
 import abut.core.bug;
 import abut.core.standard;
