@@ -90,6 +90,39 @@ test('bad input is named', () => {
   assert.throws(() => new Shape(), TypeError);
 });
 
+test('numbers that C would cut are named', () => {
+  const ball = Shape.sphere(1);
+  refused('ABUT_INVALID_ARGUMENT', 'radius is "1"; expected a number', () => Shape.sphere('1'));
+  refused('ABUT_INVALID_ARGUMENT', 'columns is 1.5; expected a whole number from 0 to 4294967295',
+    () => Shape.heightField(1.5, 2, 1, 1, [0, 0, 0]));
+  refused('ABUT_INVALID_ARGUMENT', 'triangles[2] is 4294967296', () => Shape.mesh(square, [0, 1, 2 ** 32]));
+  refused('ABUT_INVALID_ARGUMENT', 'triangles[0] is -1', () => Shape.mesh(square, [-1, 1, 2]));
+  refused('ABUT_INVALID_ARGUMENT', 'threads is 1.5', () => new Universe({ threads: 1.5 }));
+  refused('ABUT_INVALID_ARGUMENT', 'maxContacts is 4294967296',
+    () => pairContacts(ball, pose(), ball, pose(), { maxContacts: 2 ** 32 }));
+  refused('ABUT_INVALID_ARGUMENT', 'b is [object Object]; expected a Shape', () => pairDistance(ball, pose(), {}, pose()));
+  refused('ABUT_INVALID_ARGUMENT', 'poseB is undefined; expected an object with position, orientation',
+    () => pairDistance(ball, pose(), ball));
+  refused('ABUT_INVALID_ARGUMENT', 'posesB[1].position is undefined',
+    () => pairDistances(ball, [pose(), pose()], ball, [pose(), {}]));
+  refused('ABUT_INVALID_ARGUMENT', 'xyz is undefined', () => Shape.hull());
+  const { universe, parts, geometries } = row(2);
+  refused('ABUT_INVALID_ARGUMENT', 'part is undefined; expected an id', () => universe.setPose(undefined, pose()));
+  refused('ABUT_INVALID_ARGUMENT', 'part.slot is 1.5', () => universe.setPose({ slot: 1.5, generation: 1 }, pose()));
+  refused('ABUT_INVALID_ARGUMENT', 'parts[1].slot is 4294967296',
+    () => universe.setPoses([parts[0], { ...parts[1], slot: 2 ** 32 }], [pose(), pose()]));
+  refused('ABUT_INVALID_ARGUMENT', 'layers is 0.5', () => universe.addGeometry(parts[0], ball, { layers: 0.5 }));
+  refused('ABUT_INVALID_ARGUMENT', 'pose.orientation is undefined',
+    () => universe.addPart({ pose: { position: vector(0, 0, 0) } }));
+  refused('ABUT_INVALID_ARGUMENT', 'pose.position.y is undefined; expected a number',
+    () => universe.addPart({ pose: { position: { x: 0 }, orientation: pose().orientation } }));
+  refused('ABUT_INVALID_ARGUMENT', 'shape is [object Object]; expected a Shape', () => universe.addGeometry(parts[0], universe));
+  refused('ABUT_INVALID_ARGUMENT', 'dt is undefined; expected a number', () => universe.step());
+  assert.equal(universe.geometriesOf(parts[0]).length, 1);
+  assert.equal(geometries.length, 2);
+  universe.destroy();
+});
+
 test('two boxes', () => {
   const box = Shape.box(1, 1, 1);
   const apart = pairDistance(box, pose(), box, pose(3.5));

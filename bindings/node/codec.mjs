@@ -2,6 +2,7 @@
 // Structs of C as objects, and back: functions that are made from the layout. They take a hundredth of the time of
 // koffi.decode, which looks at the type of each field each time.
 import koffi from 'koffi';
+import { expectStruct, refusal } from './given.mjs';
 
 const arrays = { Float64: ['f64', 3], UInt32: ['u32', 2], UInt64: ['u64', 3] };
 
@@ -23,7 +24,9 @@ function writeText(type, offset, value) {
   if (type.members) {
     return fieldsOf(type).map((field) => writeText(field.type, offset + field.offset, `${value}.${field.name}`)).join('\n');
   }
-  return `${indexOf(type, offset)} = ${value};`;
+  // Whole numbers that do not fit are told apart by what is read back.
+  const place = indexOf(type, offset);
+  return type.primitive === 'UInt32' ? `if ((${place} = ${value}) !== ${place}) throw new TypeError();` : `${place} = ${value};`;
 }
 
 /** Memory for structs of one type, which goes to a call as its `bytes`. */
@@ -41,8 +44,13 @@ class Memory {
     return this.codec.read(this.f64, this.u32, this.u64, index * this.codec.size);
   }
 
-  set(value, index = 0) {
-    this.codec.write(this.f64, this.u32, this.u64, index * this.codec.size, value);
+  set(value, index = 0, name = 'value') {
+    try {
+      this.codec.write(this.f64, this.u32, this.u64, index * this.codec.size, value);
+    } catch (thrown) {
+      expectStruct(name, this.codec.struct, value);
+      throw thrown;
+    }
   }
 
   first(count) {
@@ -53,6 +61,7 @@ class Memory {
 /** How one type of struct lies in memory. */
 export class Codec {
   constructor(struct) {
+    this.struct = struct;
     this.size = koffi.sizeof(struct);
     this.read = new Function('f64', 'u32', 'u64', 'at', `return ${readText(struct, 0)};`);
     this.write = new Function('f64', 'u32', 'u64', 'at', 'value', writeText(struct, 0, 'value'));
@@ -64,9 +73,10 @@ export class Codec {
   }
 
   /** Objects in new memory. */
-  encode(values) {
+  encode(values, name = 'values') {
+    if (typeof values?.length !== 'number') refusal.throws(`${name} is ${values}; expected an array`);
     const memory = this.room(values.length);
-    for (let i = 0; i < values.length; ++i) memory.set(values[i], i);
+    for (let i = 0; i < values.length; ++i) memory.set(values[i], i, `${name}[${i}]`);
     return memory.bytes;
   }
 

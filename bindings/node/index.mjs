@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // abut for Node: shapes, queries on two of them, and universes. index.d.ts describes all of it.
 import {
-  abut, answer, codecs, expectAsMany, made, options, poseAt, posesOf, refuse, vectorAt, vectorsOf,
+  abut, answer, codecs, expectAsMany, made, options, pointerOf, poseAt, posesOf, refuse, shapes, vectorAt, vectorsOf, wholesOf,
 } from './library.mjs';
 import { structs } from './raw.mjs';
 
@@ -18,6 +18,7 @@ export function pose(x = 0, y = 0, z = 0, orientation = { w: 1, x: 0, y: 0, z: 0
 const forgotten = new FinalizationRegistry((pointer) => abut.abut_shape_release(pointer));
 
 function expectThrees(name, values) {
+  if (typeof values?.length !== 'number') refuse(`${name} is ${values}; expected an array of numbers`);
   if (values.length % 3 !== 0) refuse(`${name} has ${values.length} numbers, which is not a multiple of 3`);
   return values.length / 3;
 }
@@ -28,6 +29,7 @@ export class Shape {
   constructor(pointer) {
     if (typeof pointer !== 'bigint') throw new TypeError('shapes are made by Shape.sphere, Shape.box and so on');
     this.#pointer = pointer;
+    shapes.add(this);
     forgotten.register(this, pointer, this);
   }
 
@@ -48,7 +50,7 @@ export class Shape {
   }
 
   static plane(normal, offset) {
-    return new Shape(made(abut.abut_plane_create, vectorAt(normal), offset));
+    return new Shape(made(abut.abut_plane_create, vectorAt(normal, 0, 'normal'), offset));
   }
 
   static hull(xyz) {
@@ -61,12 +63,12 @@ export class Shape {
     const triangleCount = expectThrees('triangles', triangles);
     const its = options(structs.meshOptions, { sides });
     return new Shape(made(
-      abut.abut_mesh_create, Float64Array.from(xyz), count, Uint32Array.from(triangles), triangleCount, its));
+      abut.abut_mesh_create, Float64Array.from(xyz), count, wholesOf('triangles', triangles), triangleCount, its));
   }
 
   static heightField(columns, rows, spacingX, spacingY, heights) {
-    if (heights.length !== columns * rows) {
-      refuse(`heights has ${heights.length} numbers; expected columns * rows, which is ${columns * rows}`);
+    if (heights?.length !== columns * rows) {
+      refuse(`heights has ${heights?.length} numbers; expected columns * rows, which is ${columns * rows}`);
     }
     return new Shape(made(abut.abut_height_field_create, options(structs.heightFieldDesc, {
       columns, rows, spacingX, spacingY, heights: Float64Array.from(heights),
@@ -81,7 +83,7 @@ export class Shape {
   static composite(children, poses) {
     const { bytes, count } = posesOf('poses', poses);
     expectAsMany('children', children.length, 'poses', count);
-    return new Shape(made(abut.abut_composite_create, children.map((child) => child.pointer), bytes, count));
+    return new Shape(made(abut.abut_composite_create, children.map((child, i) => pointerOf(`children[${i}]`, child)), bytes, count));
   }
 
   static ofKind(kind, ...parameters) {
@@ -108,7 +110,7 @@ export class Shape {
 }
 
 export function pairDistance(a, poseA, b, poseB, fields) {
-  return answer(codecs.distance, abut.abut_pair_distance, a.pointer, poseAt(poseA, 0), b.pointer, poseAt(poseB, 1),
+  return answer(codecs.distance, abut.abut_pair_distance, pointerOf('a', a), poseAt(poseA, 0, 'poseA'), pointerOf('b', b), poseAt(poseB, 1, 'poseB'),
     options(structs.queryOptions, fields));
 }
 
@@ -116,14 +118,14 @@ export function pairDistances(a, posesA, b, posesB, fields) {
   const [first, second] = [posesOf('posesA', posesA), posesOf('posesB', posesB)];
   expectAsMany('posesA', first.count, 'posesB', second.count);
   const out = codecs.distance.room(first.count);
-  abut.abut_pairs_distance(a.pointer, first.bytes, b.pointer, second.bytes, first.count,
+  abut.abut_pairs_distance(pointerOf('a', a), first.bytes, pointerOf('b', b), second.bytes, first.count,
     options(structs.queryOptions, fields), out.bytes);
   return out.first(first.count);
 }
 
 export function pairOverlaps(a, poseA, b, poseB, fields) {
   const found = [0];
-  abut.abut_pair_overlaps(a.pointer, poseAt(poseA, 0), b.pointer, poseAt(poseB, 1),
+  abut.abut_pair_overlaps(pointerOf('a', a), poseAt(poseA, 0, 'poseA'), pointerOf('b', b), poseAt(poseB, 1, 'poseB'),
     options(structs.queryOptions, fields), found);
   return found[0] === 1;
 }
@@ -134,7 +136,7 @@ export function pairsOverlap(shapesA, posesA, shapesB, posesB, fields) {
   expectAsMany('posesA', first.count, 'shapesA', shapesA.length);
   expectAsMany('posesA', first.count, 'shapesB', shapesB.length);
   const out = new Uint32Array(first.count);
-  abut.abut_pairs_overlap(shapesA.map((shape) => shape.pointer), first.bytes, shapesB.map((shape) => shape.pointer),
+  abut.abut_pairs_overlap(shapesA.map((shape, i) => pointerOf(`shapesA[${i}]`, shape)), first.bytes, shapesB.map((shape, i) => pointerOf(`shapesB[${i}]`, shape)),
     second.bytes, first.count, options(structs.queryOptions, fields), out);
   return Array.from(out, (answer) => answer === 1);
 }
@@ -142,7 +144,7 @@ export function pairsOverlap(shapesA, posesA, shapesB, posesB, fields) {
 export function pairContacts(a, poseA, b, poseB, fields) {
   const its = options(structs.queryOptions, fields);
   return codecs.contact.fill((place, capacity, count) => abut.abut_pair_contacts(
-    a.pointer, poseAt(poseA, 0), b.pointer, poseAt(poseB, 1), its, place, capacity, count));
+    pointerOf('a', a), poseAt(poseA, 0, 'poseA'), pointerOf('b', b), poseAt(poseB, 1, 'poseB'), its, place, capacity, count));
 }
 
 export function pairContactLists(a, posesA, b, posesB, fields) {
@@ -151,7 +153,7 @@ export function pairContactLists(a, posesA, b, posesB, fields) {
   const its = options(structs.queryOptions, fields);
   const offsets = new BigUint64Array(first.count + 1);
   const all = codecs.contact.fill((place, capacity, count) => abut.abut_pairs_contacts(
-    a.pointer, first.bytes, b.pointer, second.bytes, first.count, its, offsets, place, capacity, count), 4 * first.count);
+    pointerOf('a', a), first.bytes, pointerOf('b', b), second.bytes, first.count, its, offsets, place, capacity, count), 4 * first.count);
   return Array.from({ length: first.count }, (_, i) => all.slice(Number(offsets[i]), Number(offsets[i + 1])));
 }
 
@@ -159,7 +161,7 @@ export function pairCast(a, poseA, displacementA, b, poseB, displacementB, field
   const out = codecs.castHit.room();
   const found = [0];
   abut.abut_pair_cast(
-    a.pointer, poseAt(poseA, 0), vectorAt(displacementA, 0), b.pointer, poseAt(poseB, 1), vectorAt(displacementB, 1),
+    pointerOf('a', a), poseAt(poseA, 0, 'poseA'), vectorAt(displacementA, 0, 'displacementA'), pointerOf('b', b), poseAt(poseB, 1, 'poseB'), vectorAt(displacementB, 1, 'displacementB'),
     options(structs.queryOptions, fields), out.bytes, found);
   return found[0] === 1 ? out.get() : null;
 }
@@ -173,7 +175,7 @@ export function pairCasts(a, posesA, displacementsA, b, posesB, displacementsB, 
   for (const [name, each] of Object.entries(given)) expectAsMany('posesA', count, name, each.count);
   const out = codecs.castHit.room(count);
   abut.abut_pairs_cast(
-    a.pointer, given.posesA.bytes, given.displacementsA.bytes, b.pointer, given.posesB.bytes, given.displacementsB.bytes,
+    pointerOf('a', a), given.posesA.bytes, given.displacementsA.bytes, pointerOf('b', b), given.posesB.bytes, given.displacementsB.bytes,
     count, options(structs.queryOptions, fields), out.bytes);
   return out.first(count).map((hit) => (Number.isFinite(hit.fraction) ? hit : null));
 }

@@ -2,6 +2,7 @@
 // The C interface as functions that throw, and structs as objects. include/abut/abut.h describes each.
 import koffi from 'koffi';
 import { Codec } from './codec.mjs';
+import { expectNumber, expectStruct, expectWhole, refusal } from './given.mjs';
 import { prototypes, structs, version } from './raw.mjs';
 
 /** How structs that calls take and answer lie in memory. */
@@ -24,10 +25,38 @@ export function load(file, variable) {
 
 const library = load('libabut', 'ABUT_LIBRARY');
 
+function expectId(name, value) {
+  if (value === null || typeof value !== 'object') refuse(`${name} is ${value}; expected an id of a universe`);
+  expectWhole(`${name}.slot`, value.slot, 32);
+  expectWhole(`${name}.generation`, value.generation, 32);
+}
+
+// What koffi would cut, or refuse without the name of the parameter.
+const expectations = {
+  double: expectNumber,
+  uint32_t: (name, value) => expectWhole(name, value, 32),
+  uint64_t: (name, value) => expectWhole(name, value, 64),
+  size_t: (name, value) => expectWhole(name, value, 64),
+  abut_part_id: expectId,
+  abut_geometry_id: expectId,
+};
+
+// Parameters of a declaration that are given by value, with their places.
+function expectedBy(prototype) {
+  const parameters = /\((.*)\)$/.exec(prototype)[1].split(', ').map((text) => text.split(' '));
+  return parameters.flatMap(([type, name], place) => (type in expectations && /^\w+$/.test(name)
+    ? [{ place, expect: expectations[type], name: name.replace(/_(.)/g, (_, letter) => letter.toUpperCase()) }] : []));
+}
+
 // A declaration becomes a function; one that answers a status throws what it stands for.
 function declare(its, prototype) {
   const call = its.func(prototype);
-  return prototype.startsWith('int32_t ') ? (...values) => check(call(...values)) : call;
+  if (!prototype.startsWith('int32_t ')) return call;
+  const expected = expectedBy(prototype);
+  return (...values) => {
+    for (const { place, expect, name } of expected) expect(name, values[place]);
+    check(call(...values));
+  };
 }
 
 const message = library.func('const char *abut_last_error_message()');
@@ -48,6 +77,23 @@ function check(status) {
 
 export function refuse(text) {
   throw new AbutError('ABUT_INVALID_ARGUMENT', text);
+}
+
+refusal.throws = refuse;
+
+// Shapes that index.mjs has made.
+export const shapes = new WeakSet();
+
+/** The pointer of a shape that a caller has given. */
+export function pointerOf(name, shape) {
+  return shapes.has(shape) ? shape.pointer : refuse(`${name} is ${shape}; expected a Shape`);
+}
+
+/** Whole numbers of 32 bits in an array of their own. */
+export function wholesOf(name, values) {
+  if (values instanceof Uint32Array) return values;
+  Array.from(values, (value, i) => expectWhole(`${name}[${i}]`, value, 32));
+  return Uint32Array.from(values);
 }
 
 /** Functions of a library, by their names in its header. */
@@ -76,19 +122,19 @@ export function answer(codec, call, ...values) {
 // Poses and vectors are read before a call returns, so each place in a call has memory that is used again and again.
 const scratch = { pose: [codecs.pose.room(), codecs.pose.room()], vector: [codecs.vector.room(), codecs.vector.room()] };
 
-export function poseAt(pose, place = 0) {
-  scratch.pose[place].set(pose);
+export function poseAt(pose, place = 0, name = 'pose') {
+  scratch.pose[place].set(pose, 0, name);
   return scratch.pose[place].bytes;
 }
 
-export function vectorAt(vector, place = 0) {
-  scratch.vector[place].set(vector);
+export function vectorAt(vector, place = 0, name = 'vector') {
+  scratch.vector[place].set(vector, 0, name);
   return scratch.vector[place].bytes;
 }
 
 // Structs of `width` numbers as they are, or as these numbers.
 function rowsOf(codec, width, name, values) {
-  if (!(values instanceof Float64Array)) return { bytes: codec.encode(values), count: values.length };
+  if (!(values instanceof Float64Array)) return { bytes: codec.encode(values, name), count: values.length };
   if (values.length % width !== 0) refuse(`${name} has ${values.length} numbers, which is not a multiple of ${width}`);
   return { bytes: new Uint8Array(values.buffer, values.byteOffset, values.byteLength), count: values.length / width };
 }
@@ -126,6 +172,19 @@ export function numberOf(field, word) {
   return number >= 0 ? number : refuse(`${field} is ${word}; expected one of ${words[field].join(', ')}`);
 }
 
+// A value for a field of that type.
+function expectField(field, type, value) {
+  if (type.primitive === 'UInt32' || type.primitive === 'UInt64') {
+    if (typeof value === 'boolean') return Number(value);
+    expectWhole(field, value, type.primitive === 'UInt32' ? 32 : 64);
+  } else if (type.primitive === 'Float64') {
+    expectNumber(field, value);
+  } else if (type.members) {
+    expectStruct(field, type, value, true);
+  }
+  return value;
+}
+
 /** Options with the defaults of their library, and the given fields on top; null where none is given. */
 export function options(struct, fields, functions = abut) {
   if (fields === undefined) return null;
@@ -136,7 +195,7 @@ export function options(struct, fields, functions = abut) {
       const known = Object.keys(all).filter((name) => name !== 'structSize' && name !== 'reserved').join(', ');
       refuse(`${field} is no option; there are ${known}`);
     }
-    if (value !== undefined) all[field] = field in words ? numberOf(field, value) : value;
+    if (value !== undefined) all[field] = field in words ? numberOf(field, value) : expectField(field, struct.members[field].type, value);
   }
   return all;
 }

@@ -68,14 +68,14 @@ export class Picker {
 
   castRays(rays, { coherence = 'none', ...filter } = {}) {
     const out = codecs.hit.room(rays.length);
-    const all = codecs.ray.encode(rays.map((ray) => ({ maxDistance: Infinity, ...ray })));
+    const all = codecs.ray.encode(rays.map((ray) => ({ maxDistance: Infinity, ...ray })), 'rays');
     picking.abut_picker_cast_rays(this.pointer, all, rays.length, numberOf('coherence', coherence),
       options(structs.queryFilter, filter), out.bytes);
     return picksOf(out, rays.length);
   }
 
   castRayAll(origin, direction, { maxDistance = Infinity, ...filter } = {}) {
-    const ray = codecs.ray.encode([{ origin, direction, maxDistance }]);
+    const ray = codecs.ray.encode([{ origin, direction, maxDistance }], 'rays');
     const its = options(structs.queryFilter, filter);
     return codecs.hit.fill((place, capacity, count) => picking.abut_picker_cast_ray_all(
       this.pointer, ray, its, place, capacity, count));

@@ -2,7 +2,7 @@
 // A universe: parts that move, geometries on them, and steps that find what touches.
 import koffi from 'koffi';
 import {
-  abut, answer, codecs, expectAsMany, made, numberOf, options, poseAt, posesOf, refuse, vectorAt,
+  abut, answer, codecs, expectAsMany, made, numberOf, options, pointerOf, poseAt, posesOf, refuse, vectorAt,
 } from './library.mjs';
 import { callbacks, structs } from './raw.mjs';
 
@@ -20,7 +20,7 @@ function collidable(what) {
   else if (what?.part) its = { ...what.part, kind: partKind };
   else if (what?.label !== undefined) its = { ...its, kind: labelKind, slot: what.label };
   else if (what !== 'any') refuse("a side of a rule is { geometry }, { part }, { label } or 'any'");
-  return codecs.collidable.encode([its]);
+  return codecs.collidable.encode([its], 'side');
 }
 
 // Why two geometries are not examined, bit by bit.
@@ -78,7 +78,7 @@ export class Universe {
   setPoses(parts, poses) {
     const { bytes, count } = posesOf('poses', poses);
     expectAsMany('parts', parts.length, 'poses', count);
-    abut.abut_parts_set_poses(this.pointer, codecs.partId.encode(parts), bytes, count);
+    abut.abut_parts_set_poses(this.pointer, codecs.partId.encode(parts, 'parts'), bytes, count);
   }
 
   pose(part) {
@@ -107,7 +107,7 @@ export class Universe {
 
   addGeometry(part, shape, fields) {
     const its = options(structs.geometryOptions, fields);
-    return answer(codecs.geometryId, abut.abut_geometry_create, this.pointer, part, shape.pointer, its);
+    return answer(codecs.geometryId, abut.abut_geometry_create, this.pointer, part, pointerOf('shape', shape), its);
   }
 
   removeGeometry(geometry) {
@@ -119,7 +119,7 @@ export class Universe {
   }
 
   setShape(geometry, shape) {
-    abut.abut_geometry_set_shape(this.pointer, geometry, shape.pointer);
+    abut.abut_geometry_set_shape(this.pointer, geometry, pointerOf('shape', shape));
   }
 
   setRule(a, b, rule) {
@@ -214,7 +214,7 @@ export class Universe {
 
   castRays(rays, filter) {
     const out = codecs.hit.room(rays.length);
-    const all = codecs.ray.encode(rays.map((ray) => ({ maxDistance: Infinity, ...ray })));
+    const all = codecs.ray.encode(rays.map((ray) => ({ maxDistance: Infinity, ...ray })), 'rays');
     abut.abut_universe_cast_rays(this.pointer, all, rays.length, options(structs.queryFilter, filter), out.bytes);
     return out.first(rays.length).map((hit) => (hit.geometry.slot === 0 ? null : hit));
   }
@@ -222,21 +222,21 @@ export class Universe {
   castShape(shape, pose, displacement, filter) {
     const its = options(structs.queryFilter, filter);
     const hits = codecs.castHit.fill((place, capacity, count) => abut.abut_universe_cast_shape(
-      this.pointer, shape.pointer, poseAt(pose), vectorAt(displacement), its, hitNearest, place, capacity, count));
+      this.pointer, pointerOf('shape', shape), poseAt(pose), vectorAt(displacement, 0, 'displacement'), its, hitNearest, place, capacity, count));
     return hits[0] ?? null;
   }
 
   overlaps(shape, pose, { margin = 0, ...filter } = {}) {
     const its = options(structs.queryFilter, filter);
     return codecs.geometryId.fill((place, capacity, count) => abut.abut_universe_overlaps(
-      this.pointer, shape.pointer, poseAt(pose), its, margin, place, capacity, count));
+      this.pointer, pointerOf('shape', shape), poseAt(pose), its, margin, place, capacity, count));
   }
 
   closest(shape, pose, { maxDistance = Infinity, ...filter } = {}) {
     const out = codecs.closest.room();
     const found = [0];
     const its = options(structs.queryFilter, filter);
-    abut.abut_universe_closest(this.pointer, shape.pointer, poseAt(pose), maxDistance, its, out.bytes, found);
+    abut.abut_universe_closest(this.pointer, pointerOf('shape', shape), poseAt(pose), maxDistance, its, out.bytes, found);
     return found[0] === 1 ? out.get() : null;
   }
 }

@@ -7,6 +7,9 @@ The library is the first of these that there is:
  - the one in build/release of this checkout;
  - the one that CMake builds in build/python, which takes minutes. CMAKE_ARGS adds arguments to its configuration.
 The libraries for picking and response are carried, too, where they lie beside the other one.
+
+With the setting `dependencies=carried` the wheel also carries the libraries that these load, as scripts/wheel does. Without it,
+the system must have them.
 """
 
 import base64
@@ -21,6 +24,8 @@ import sysconfig
 import tempfile
 import zipfile
 
+import carried
+
 PACKAGE = pathlib.Path(__file__).resolve().parent.parent
 ROOT = PACKAGE.parent.parent
 TREE = ("-DABUT_TESTS=OFF", "-DABUT_BENCH=OFF", "-DABUT_TOOLS=OFF")
@@ -33,7 +38,7 @@ def get_requires_for_build_wheel(config_settings=None):
 
 def prepare_metadata_for_build_wheel(metadata_directory, config_settings=None):
     """Writes what a front end reads before it builds, and answers the name of its folder."""
-    version, tag = _version_and_tag()
+    version, tag = _version_and_tag(config_settings or {})
     folder = f"abut-{version}.dist-info"
     pathlib.Path(metadata_directory, folder).mkdir()
     for path, data in _metadata(folder, version, tag).items():
@@ -43,15 +48,17 @@ def prepare_metadata_for_build_wheel(metadata_directory, config_settings=None):
 
 def build_wheel(wheel_directory, config_settings=None, metadata_directory=None):
     """Writes the wheel and answers its name."""
-    version, tag = _version_and_tag()
+    settings = config_settings or {}
+    version, tag = _version_and_tag(settings)
     name = f"abut-{version}-{tag}.whl"
     with tempfile.TemporaryDirectory() as folder, zipfile.ZipFile(
             pathlib.Path(wheel_directory, name), "w", zipfile.ZIP_DEFLATED) as wheel:
         files = {f"abut/{path.relative_to(PACKAGE / 'abut')}": path.read_bytes()
                  for path in sorted((PACKAGE / "abut").rglob("*")) if path.suffix in SUFFIXES}
-        for library in _libraries(config_settings or {}):
-            files[f"abut/lib/{library.name}"] = _without_runpath(library, pathlib.Path(folder)).read_bytes()
+        copies, licences = _copies(_libraries(settings), settings, pathlib.Path(folder))
+        files.update({f"abut/lib/{name}": path.read_bytes() for name, path in copies.items()})
         files.update(_metadata(f"abut-{version}.dist-info", version, tag))
+        files.update({f"abut-{version}.dist-info/licenses/{name}.txt": text for name, text in licences.items()})
         record = f"abut-{version}.dist-info/RECORD"
         files[record] = "".join([*(_line_of_record(path, data) for path, data in files.items()), f"{record},,\n"]).encode()
         for path, data in files.items():
@@ -64,8 +71,18 @@ def build_sdist(sdist_directory, config_settings=None):
                        "Build a wheel: pip wheel ./bindings/python")
 
 
-def _version_and_tag():
+def _carries(settings):
+    """Whether the wheel has the libraries that the library loads."""
+    choice = settings.get("dependencies", "of the system")
+    if choice not in ("carried", "of the system"):
+        raise ValueError(f"dependencies is {choice!r}; it is 'carried', or left out")
+    return choice == "carried"
+
+
+def _version_and_tag(settings):
     version = _number_in(PACKAGE / "abut" / "__init__.py", r'__version__ = "(.*)"')
+    if _carries(settings):
+        return version, carried.tag()
     return version, f"py3-none-{sysconfig.get_platform().replace('-', '_').replace('.', '_')}"
 
 
@@ -136,6 +153,13 @@ def _built():
     subprocess.run(["cmake", "--preset", "release", "-B", folder, *TREE, *more], cwd=ROOT, check=True)
     subprocess.run(["cmake", "--build", folder], cwd=ROOT, check=True)
     return folder / "capi"
+
+
+def _copies(libraries, settings, folder):
+    """{name: path of a copy} of all libraries of the wheel, and {name: licence} of those of others."""
+    if _carries(settings):
+        return carried.carry(libraries, folder)
+    return {library.name: _without_runpath(library, folder) for library in libraries}, {}
 
 
 def _without_runpath(library, folder):
