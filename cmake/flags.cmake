@@ -204,6 +204,11 @@ function(abut_compile_smallest source)
   set_property(SOURCE ${source} APPEND PROPERTY COMPILE_OPTIONS $<$<CONFIG:MinSizeRel>:-Oz>)
 endfunction()
 
+# For tests that spend their time in the library; none that imports a module, whose options have to be alike.
+function(abut_compile_unoptimised target)
+  target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O0>)
+endfunction()
+
 # For programs whose compiling takes longer than their running.
 function(abut_compile_quickly target)
   target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1>)
