@@ -13,6 +13,7 @@ import abut.pairs.registry;
 import abut.pairs.composites.seams;
 import abut.scene.state.options;
 import abut.scene.state.places;
+import abut.scene.meetings.measured_routes;
 import abut.scene.meetings.policies;
 
 namespace abut {
@@ -41,8 +42,11 @@ void find_points(const PathScene& scene, const Sides& sides, const Moment& momen
   const auto& kernels = pair_kernels(a.index(), b.index());
   const std::size_t before = points.size();
   const bool welds = scene.options.welds;
-  const QuerySettings wanted{
+  QuerySettings wanted{
       .algorithm = policy.algorithm, .error_bound = policy.error_bound, .margin = margin, .welds = welds};
+  if (policy.time_budget > 0) {
+    take_route(Question::contacts, a.index(), b.index(), policy.time_budget, wanted);
+  }
   if (kernels.contacts_in_frame(a, b, relative(moment.a, moment.b), wanted, nullptr, points) != Outcome::ok) {
     points.resize(before);
     const QuerySettings any{.margin = margin, .welds = welds};
