@@ -130,7 +130,7 @@
   FIELD(abut_ray_hit, feature, 56, 8) \
   FIELD(abut_ray_hit, child, 64, 4) \
   FIELD(abut_ray_hit, reserved, 68, 4) \
-  TYPE(abut_query_options, 40) \
+  TYPE(abut_query_options, 48) \
   FIELD(abut_query_options, struct_size, 0, 4) \
   FIELD(abut_query_options, algorithm, 4, 4) \
   FIELD(abut_query_options, error_bound, 8, 8) \
@@ -139,6 +139,13 @@
   FIELD(abut_query_options, max_pair_contacts, 28, 4) \
   FIELD(abut_query_options, threads, 32, 4) \
   FIELD(abut_query_options, flags, 36, 4) \
+  FIELD(abut_query_options, time_budget, 40, 8) \
+  TYPE(abut_route, 32) \
+  FIELD(abut_route, algorithm, 0, 4) \
+  FIELD(abut_route, flags, 4, 4) \
+  FIELD(abut_route, error_bound, 8, 8) \
+  FIELD(abut_route, seconds, 16, 8) \
+  FIELD(abut_route, worst_error, 24, 8) \
   TYPE(abut_distance, 104) \
   FIELD(abut_distance, distance, 0, 8) \
   FIELD(abut_distance, lower, 8, 8) \
@@ -294,7 +301,7 @@
   FIELD(abut_collidable, kind, 0, 4) \
   FIELD(abut_collidable, slot, 4, 4) \
   FIELD(abut_collidable, generation, 8, 4) \
-  TYPE(abut_policy, 80) \
+  TYPE(abut_policy, 88) \
   FIELD(abut_policy, struct_size, 0, 4) \
   FIELD(abut_policy, algorithm, 4, 4) \
   FIELD(abut_policy, detail, 8, 4) \
@@ -309,6 +316,7 @@
   FIELD(abut_policy, rest_distance, 56, 8) \
   FIELD(abut_policy, cone_angle, 64, 8) \
   FIELD(abut_policy, cone_factor, 72, 8) \
+  FIELD(abut_policy, time_budget, 80, 8) \
   TYPE(abut_focus, 32) \
   FIELD(abut_focus, struct_size, 0, 4) \
   FIELD(abut_focus, near_tag, 4, 4) \

@@ -20,7 +20,8 @@ namespace {
     return status;
   }
   PairQuery query;
-  if (const abut_status status = read_options(options, query); status != ABUT_OK) {
+  if (const abut_status status = read_options(options, abut::Question::distance, pair.a, pair.b, query);
+      status != ABUT_OK) {
     return status;
   }
   // The kernel writes to the struct of the caller: a copy would wait for what it has written.
@@ -36,7 +37,8 @@ namespace {
     return status;
   }
   PairQuery query;
-  if (const abut_status status = read_options(options, query); status != ABUT_OK) {
+  if (const abut_status status = read_options(options, abut::Question::contacts, pair.a, pair.b, query);
+      status != ABUT_OK) {
     return status;
   }
   abut::Manifold found;

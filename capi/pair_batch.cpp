@@ -42,7 +42,8 @@ abut_pair_memory* memory_of(std::span<abut_pair_memory> memories, std::size_t i)
 abut_status distances(const PairBatch& pairs, const abut_query_options* options, std::span<abut_pair_memory> memories,
                       std::span<abut_distance> out) {
   PairQuery query;
-  if (const abut_status status = read_options(options, query); status != ABUT_OK) {
+  if (const abut_status status = read_options(options, abut::Question::distance, pairs.a, pairs.b, query);
+      status != ABUT_OK) {
     return status;
   }
   return answer_each(pairs, query.settings.algorithm, query.threads, out, [&](std::size_t i, abut_distance& found) {
@@ -68,7 +69,8 @@ struct FoundContacts {
 abut_status contacts(const PairBatch& pairs, const abut_query_options* options, std::span<abut_pair_memory> memories,
                      std::span<std::uint64_t> offsets, std::span<abut_contact> out, std::size_t& count) {
   PairQuery query;
-  if (const abut_status status = read_options(options, query); status != ABUT_OK) {
+  if (const abut_status status = read_options(options, abut::Question::contacts, pairs.a, pairs.b, query);
+      status != ABUT_OK) {
     return status;
   }
   BatchTasks<FoundContacts> tasks(pairs.size(), query.threads);

@@ -30,6 +30,15 @@ abut_status read_given_options(const abut_query_options& options, PairQuery& que
   return ABUT_OK;
 }
 
+abut_status read_given_options(const abut_query_options& options, Question question, const abut_shape* a,
+                               const abut_shape* b, PairQuery& query) {
+  const abut_status status = read_given_options(options, query);
+  if (status == ABUT_OK && options.time_budget > 0) {
+    take_route(question, shape_of(a).index(), shape_of(b).index(), options.time_budget, query.settings);
+  }
+  return status;
+}
+
 abut_status check_query_options(const abut_query_options& options) {
   if (const abut_status status = check_struct_size({"options"}, options); status != ABUT_OK) {
     return status;
@@ -40,6 +49,9 @@ abut_status check_query_options(const abut_query_options& options) {
   }
   if (!(options.error_bound >= 0 && options.error_bound <= largest_coordinate)) {
     return to_status(check_not_negative("options.error_bound", options.error_bound));
+  }
+  if (!(options.time_budget >= 0 && options.time_budget <= largest_coordinate)) {
+    return to_status(check_not_negative("options.time_budget", options.time_budget));
   }
   const abut_status status = check_threads(options.threads);
   return status != ABUT_OK ? status : check_bits({"options"}, ".flags", options.flags, ABUT_QUERY_WELDS);

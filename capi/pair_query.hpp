@@ -13,12 +13,13 @@ import abut.math;
 import abut.narrow.manifold;
 import abut.pairs.any_shape;
 import abut.pairs.composites.seams;
+import abut.scene.meetings.measured_routes;
 import abut.pairs.two_shapes.remembered;
 
 namespace abut::capi {
 
 inline constexpr abut_query_options default_query_options{
-    sizeof(abut_query_options), ABUT_ALGORITHM_AUTO, 0, 0, 4, 0, 0, 0};
+    sizeof(abut_query_options), ABUT_ALGORITHM_AUTO, 0, 0, 4, 0, 0, 0, 0};
 
 struct PairQuery {
   QuerySettings settings;
@@ -34,6 +35,14 @@ struct PairQuery {
 [[nodiscard]] abut_status read_given_options(const abut_query_options& options, PairQuery& query);
 [[nodiscard]] inline abut_status read_options(const abut_query_options* options, PairQuery& query) {
   return options == nullptr ? static_cast<abut_status>(ABUT_OK) : read_given_options(*options, query);
+}
+
+// The same for questions among whose routes a time budget chooses. Without options nothing is looked at.
+[[nodiscard]] abut_status read_given_options(const abut_query_options& options, Question question, const abut_shape* a,
+                                             const abut_shape* b, PairQuery& query);
+[[nodiscard]] inline abut_status read_options(const abut_query_options* options, Question question, const abut_shape* a,
+                                              const abut_shape* b, PairQuery& query) {
+  return options == nullptr ? static_cast<abut_status>(ABUT_OK) : read_given_options(*options, question, a, b, query);
 }
 
 // Two shapes at checked poses.

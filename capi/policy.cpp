@@ -30,7 +30,8 @@ constexpr abut_policy default_policy{sizeof(abut_policy),
                                      0,
                                      0,
                                      0,
-                                     0.5};
+                                     0.5,
+                                     0};
 constexpr std::uint32_t all_kinds = 15;
 
 abut_status check_tags(std::uint32_t tag_a, std::uint32_t tag_b) {
@@ -70,6 +71,7 @@ abut::Policy to_policy(const abut_policy& policy) {
           policy.period,
           policy.tolerance,
           policy.error_bound,
+          policy.time_budget,
           {policy.method, policy.kinds, (policy.flags & ABUT_ELEMENTS_FRONTS_ONLY) != 0, policy.contact_distance,
            policy.rest_distance, policy.cone_angle, policy.cone_factor}};
 }
@@ -101,7 +103,7 @@ abut_status get(const abut_universe& its, std::uint32_t tag_a, std::uint32_t tag
       {sizeof(abut_policy), static_cast<abut_algorithm>(policy.algorithm), static_cast<abut_detail>(policy.detail),
        policy.period, policy.tolerance, policy.error_bound, elements.method, elements.kinds,
        elements.is_front_only ? abut_elements_flags{ABUT_ELEMENTS_FRONTS_ONLY} : 0, 0, elements.contact_distance,
-       elements.rest_distance, elements.cone_angle, elements.cone_factor},
+       elements.rest_distance, elements.cone_angle, elements.cone_factor, policy.time_budget},
       out);
   return ABUT_OK;
 }

@@ -40,7 +40,9 @@ const rayHit = koffi.struct('abut_ray_hit', { distance: 'double', point: vector,
   child: 'uint32_t', reserved: 'uint32_t' });
 const queryOptions = koffi.struct('abut_query_options', { structSize: 'uint32_t', algorithm: 'uint32_t',
   errorBound: 'double', margin: 'double', maxContacts: 'uint32_t', maxPairContacts: 'uint32_t', threads: 'uint32_t',
-  flags: 'uint32_t' });
+  flags: 'uint32_t', timeBudget: 'double' });
+const route = koffi.struct('abut_route', { algorithm: 'uint32_t', flags: 'uint32_t', errorBound: 'double',
+  seconds: 'double', worstError: 'double' });
 const distance = koffi.struct('abut_distance', { distance: 'double', lower: 'double', upper: 'double', pointA: vector,
   pointB: vector, normal: vector, algorithm: 'uint32_t', iterations: 'uint32_t' });
 const contact = koffi.struct('abut_contact', { geometryA: geometryId, geometryB: geometryId, id: 'uint64_t',
@@ -86,7 +88,7 @@ const collidable = koffi.struct('abut_collidable', { kind: 'uint32_t', slot: 'ui
 const policy = koffi.struct('abut_policy', { structSize: 'uint32_t', algorithm: 'uint32_t', detail: 'uint32_t',
   period: 'uint32_t', tolerance: 'double', errorBound: 'double', method: 'uint32_t', kinds: 'uint32_t',
   flags: 'uint32_t', reserved: 'uint32_t', contactDistance: 'double', restDistance: 'double', coneAngle: 'double',
-  coneFactor: 'double' });
+  coneFactor: 'double', timeBudget: 'double' });
 const focus = koffi.struct('abut_focus', { structSize: 'uint32_t', nearTag: 'uint32_t', farTag: 'uint32_t',
   reserved: 'uint32_t', nearDistance: 'double', farDistance: 'double' });
 const contactMaterial = koffi.struct('abut_contact_material', { structSize: 'uint32_t', reserved: 'uint32_t',
@@ -175,7 +177,7 @@ koffi.opaque('abut_response');
 
 export const structs = { vector, quaternion, pose, aabb, partId, geometryId, feature, hullReport, meshOptions,
   meshReport, uvGridOptions, heightFieldDesc, distanceFieldDesc, distanceFieldOptions, distanceFieldReport, shapeDesc,
-  ray, rayHit, queryOptions, distance, contact, pairMemory, firstTouch, elementCounts, elementsOptions, stencil,
+  ray, rayHit, queryOptions, route, distance, contact, pairMemory, firstTouch, elementCounts, elementsOptions, stencil,
   elementPair, crossing, movement, impactOptions, impact, universeOptions, partOptions, sleep, geometryOptions,
   geometryInfo, revision, collidable, policy, focus, contactMaterial, event, sleepChange, localPoints, stepStats,
   finding, island, velocity, acceleration, stepImpact, elementContact, queryFilter, hit, castHit, impactHit, closest,
@@ -260,6 +262,8 @@ export const prototypes = {
     'int32_t abut_shape_prepare(abut_shape *shape, uint32_t threads)',
     'int32_t abut_shape_cast_ray(abut_shape *shape, const abut_pose *pose, const abut_ray *ray, _Out_ abut_ray_hit *hit, _Out_ uint32_t *found)',
     'void abut_query_options_init(_Out_ abut_query_options *options, uint32_t struct_size)',
+    'int32_t abut_pair_routes(uint32_t kind_a, uint32_t kind_b, uint32_t query, const abut_query_options *options, void *routes, size_t capacity, _Out_ size_t *count)',
+    'int32_t abut_routes_load(const char *text)',
     'int32_t abut_contact_validate(const abut_contact *contact)',
     'int32_t abut_pair_distance(abut_shape *a, const abut_pose *pose_a, abut_shape *b, const abut_pose *pose_b, const abut_query_options *options, _Out_ abut_distance *out)',
     'int32_t abut_pairs_distance(abut_shape *a, const abut_pose *poses_a, abut_shape *b, const abut_pose *poses_b, size_t count, const abut_query_options *options, void *out)',

@@ -73,7 +73,7 @@ bool survives_use(abut_universe* universe) {
 std::vector<std::uint8_t> with_head(std::span<const std::uint8_t> body) {
   std::vector<std::uint8_t> bytes;
   constexpr std::uint64_t mark = 0x696e752d74756261;
-  constexpr std::uint32_t version = 5;
+  constexpr std::uint32_t version = 6;
   append(bytes, mark, 8);
   append(bytes, version, 4);
   append(bytes, checksum_of(body), 4);

@@ -33,7 +33,7 @@
  *  - Shapes: abut_sphere_create to abut_box_hole_create, abut_shape_create by name, abut_shape_retain,
  *    abut_shape_release, abut_shape_cast_ray
  *  - Pairs of shapes: abut_query_options, abut_pair_distance, abut_contact, abut_pair_contacts, abut_pair_memory,
- *    abut_pair_overlaps
+ *    abut_pair_overlaps, abut_pair_routes
  *  - Vertices on straight lines: abut_vertices_touch_faces, abut_edges_touch_edges
  *  - Elements: abut_elements_create, abut_elements_closest, abut_elements_first_touches, abut_elements_crossings
  *  - Bodies that move and turn: abut_movement, abut_pair_time_of_impact
@@ -811,9 +811,56 @@ typedef struct abut_query_options {
                                    same bits for any number. More than 1 is ABUT_UNSUPPORTED in a build without the
                                    feature threads */
   abut_query_flags flags;     /**< of distances and contacts; default 0 */
+  double time_budget;         /**< seconds for one question, by which its algorithm and its error bound are chosen; not
+                                   negative; 0, the default, chooses nothing. Of distances and contacts; see
+                                   abut_pair_routes */
 } abut_query_options;
 
 ABUT_API void abut_query_options_init(abut_query_options *options, uint32_t struct_size);
+
+/** Bits of the flags of a route. */
+typedef uint32_t abut_route_flags;
+enum abut_route_flags_value ABUT_ENUM(uint32_t) {
+  ABUT_ROUTE_CHOSEN = 1,  /**< the options take it */
+  ABUT_ROUTE_IN_TIME = 2, /**< its seconds fit the time budget of the options, or that is 0 */
+  ABUT_ROUTE_IN_BOUND = 4 /**< its worst error keeps the error bound of the options, or that is 0 */
+};
+
+/** A way to ask two kinds of shape, as it was measured over ordinary pairs of them. */
+typedef struct abut_route {
+  abut_algorithm algorithm;
+  abut_route_flags flags;
+  double error_bound; /**< as in abut_query_options; 0: the default one */
+  double seconds;     /**< of one question, of pairs that are apart or of those that overlap, whichever take longer */
+  double worst_error; /**< of upper - lower, or of the deepest contact, relative to the size of the shapes */
+} abut_route;
+
+/**
+ * The measured routes of two kinds, in either order, and which of them a time budget takes, by count-then-fill:
+ *  - with a time budget alone: of the routes that fit, the one with the least worst error, and the cheapest of equals;
+ *    if none fits, the cheapest of all, which then has no ABUT_ROUTE_IN_TIME;
+ *  - with an error bound as well: the cheapest whose worst error keeps the bound, whether or not it fits the budget. The
+ *    error bound stays that of the options, and holds for each pair. If none keeps it, nothing is chosen;
+ *  - without a time budget, with another algorithm than ABUT_ALGORITHM_AUTO, and for pairs without routes, nothing is
+ *    chosen: the options are taken as they are.
+ * Routes are there for spheres, capsules, boxes, cylinders, cones, ellipsoids and hulls of 32 points. Results depend on
+ * the table of routes, which abut_routes_load renews. So two machines may give other bits where a budget is set.
+ * ABUT_UNKNOWN_VALUE for a number that is no kind of this build, or no query.
+ * @param options  may be null; error_bound, time_budget and algorithm count
+ * [any]
+ */
+ABUT_API abut_status abut_pair_routes(abut_shape_kind kind_a, abut_shape_kind kind_b, abut_query query,
+                                      const abut_query_options *options, abut_route *routes, size_t capacity,
+                                      size_t *count);
+
+/**
+ * Puts a table of routes in place of the one that abut comes with, for all pairs of the process. `abut tune` measures a
+ * machine and writes its table. Rows of kinds that this build has not are left out. ABUT_INVALID_ARGUMENT where a line
+ * is wrong; the message has its number. Call it before other threads ask: no other function of abut may run.
+ * @param text  may be null, for the table that abut comes with
+ * [exclusive]
+ */
+ABUT_API abut_status abut_routes_load(const char *text);
 
 /** Signed distance of two shapes. */
 typedef struct abut_distance {
@@ -985,7 +1032,7 @@ ABUT_API abut_status abut_pairs_contacts_with_memories(const abut_shape *a, cons
  *   the distance, at the cost of that. So are margins below 0 that no radius covers, where the shapes do overlap.
  *
  * ABUT_UNSUPPORTED as for abut_pair_distance, and for an options.algorithm other than ABUT_ALGORITHM_AUTO.
- * @param options  may be null; error_bound, max_contacts, max_pair_contacts and threads have no effect
+ * @param options  may be null; error_bound, time_budget, max_contacts, max_pair_contacts and threads have no effect
  * Complexity: of surfaces O(log triangles) mostly. Source: Gilbert, Johnson, Keerthi 1988; separating axes (Gottschalk,
  * Lin, Manocha 1996). [any]
  */
@@ -1971,6 +2018,8 @@ typedef struct abut_policy {
   double rest_distance;       /**< of a geometry with itself; not negative; default 0 */
   double cone_angle;          /**< in [0, 1]; default 0 */
   double cone_factor;         /**< in [0, 1]; default 0.5 */
+  /* Of all details again. */
+  double time_budget;         /**< as in abut_query_options, for the contacts of one pair; not negative; default 0 */
 } abut_policy;
 
 ABUT_API void abut_policy_init(abut_policy *policy, uint32_t struct_size);

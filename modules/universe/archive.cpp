@@ -25,7 +25,7 @@ namespace {
 // "abut-uni", lowest byte first.
 constexpr std::uint64_t mark = 0x696e752d74756261;
 // Grows whenever something is written that was not, or no more.
-constexpr std::uint32_t present_version = 5;
+constexpr std::uint32_t present_version = 6;
 constexpr std::size_t head_size = 24;
 
 struct Head {

@@ -22,6 +22,20 @@ TEST(Pair, HasADistance) {
   EXPECT_THROW(static_cast<void>(abut::pair_distance(ball, abut::pose(), ball, abut::Pose{})), abut::Error);
 }
 
+TEST(Pair, TellsWhichRouteABudgetTakes) {
+  const abut::ShapeKind ball = abut::shape_kind("sphere");
+  abut::load_routes("# abut routes 1\ndistance sphere sphere auto 0.01 1e-07 0.01\n");
+  const auto options = abut::QueryOptions().with_time_budget(1e-3);
+  const std::vector<abut::Route> routes = abut::pair_routes(ball, ball, ABUT_QUERY_DISTANCE, options);
+  ASSERT_EQ(routes.size(), 1U);
+  EXPECT_EQ(routes[0].error_bound, 0.01);
+  EXPECT_NE(routes[0].flags & ABUT_ROUTE_CHOSEN, 0U);
+  EXPECT_EQ(abut::Policy().with_time_budget(2).time_budget, 2);
+  EXPECT_THROW(abut::load_routes("none"), abut::Error);
+  abut::load_routes(nullptr);
+  EXPECT_FALSE(abut::pair_routes(ball, ball, ABUT_QUERY_CONTACTS).empty());
+}
+
 TEST(Pair, RemembersWhereItWas) {
   const abut::Shape hull = abut::Shape::hull({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}});
   abut::PairMemory memory;

@@ -171,6 +171,47 @@ class Output(program.Case):
         for word in ("a/0 (box) and b/core (box): 0 contacts", "algorithm sat", "analytic", "error_bound 1e-9"):
             self.assertIn(word, text)
 
+    def test_explain_pair_tells_what_a_budget_takes(self):
+        scene = self.scene({"version": 1, "parts": [
+            {"name": "a", "geometries": [{"shape": {"kind": "cylinder", "radius": 1, "half_height": 1}}]},
+            {"name": "b", "pose": {"position": [3.5, 0, 0]},
+             "geometries": [{"shape": {"kind": "cone", "radius": 1, "half_height": 1}}]}]})
+        table = self.folder / "routes.txt"
+        table.write_text("# abut routes 1\ndistance cylinder cone auto 0 1e-06 1e-09\n"
+                         "distance cylinder cone auto 0.01 2e-07 0.01\n")
+        ask = ("explain", "pair", scene, "a", "b", "--routes", table)
+        for options, chosen, words in (
+                ((), None, "no time budget: the default, with no error bound"),
+                (("--time-budget", "1e-3"), 0, "a time budget of 0.001 s and no error bound: auto with the default error bound"),
+                (("--time-budget", "5e-7"), 1, "auto with an error bound of 0.01"),
+                (("--time-budget", "1e-9"), 1, "nothing fits, so the cheapest, auto with an error bound of 0.01"),
+                (("--time-budget", "5e-7", "--error-bound", "1e-4"), 0,
+                 "nothing that keeps the bound fits, so the cheapest, auto with the error bound that is asked for"),
+                (("--time-budget", "5e-7", "--error-bound", "1e-12"), None, "nothing keeps the bound by measure")):
+            with self.subTest(options=options):
+                text = self.succeed(*ask, *options).stdout
+                self.assertIn(words, text)
+                self.assertIn("nobody has measured this pair of kinds", text, "of contacts there is no row")
+                told = json.loads(self.succeed(*ask, *options, "--json").stdout)["routes"]["distance"]
+                self.assertEqual([i for i, route in enumerate(told["routes"]) if route["taken"]],
+                                 [] if chosen is None else [chosen])
+                self.assertIn(words, told["choice"])
+        table.write_text("none")
+        self.assertIn("routes.txt: text: line 1 is 'none'", run(*ask).stderr)
+        self.assertEqual(run("explain", "pair", scene, "a", "b", "--routes", self.folder / "no").returncode, 1)
+
+    def test_tune_writes_what_explain_reads(self):
+        table = self.folder / "routes.txt"
+        self.succeed("tune", table)
+        rows = [line.split() for line in table.read_text().splitlines() if not line.startswith("#")]
+        self.assertEqual({row[0] for row in rows}, {"distance", "contacts"})
+        self.assertTrue(all(float(row[5]) > 0 and float(row[6]) > 0 for row in rows))
+        self.assertIn("0.01", {row[4] for row in rows}, "of curved shapes a coarse bound is cheaper")
+        told = json.loads(self.succeed("explain", "pair", program.SCENES / "stack.json", "crate[0][0][0]", "crate[0][0][1]", "--routes", table,
+                                       "--json").stdout)["routes"]["contacts"]["routes"]
+        self.assertEqual([route["seconds"] for route in told],
+                         [float(row[5]) for row in rows if row[:3] == ["contacts", "box", "box"]])
+
     def test_shapes_lists_all_kinds(self):
         text = self.succeed("shapes").stdout
         kinds = json.loads(self.succeed("shapes", "--json").stdout)

@@ -79,6 +79,13 @@ void set(Arguments& arguments, const std::string& option, const std::string& val
     arguments.contacts = value;
   } else if (option == "--events") {
     arguments.events = value;
+  } else if (option == "--error-bound") {
+    arguments.error_bound = number_from<double>(option, value, 0.0, 1e60, "a number that is not negative");
+  } else if (option == "--time-budget") {
+    arguments.time_budget =
+        number_from<double>(option, value, 0.0, 1e60, "seconds that are not negative, such as 1e-6");
+  } else if (option == "--routes") {
+    arguments.routes = value;
   } else if (option == "--build") {
     arguments.build = value;
   } else if (option == "--compare") {

@@ -27,9 +27,12 @@ struct Arguments {
   std::optional<abut_vec3> from;
   std::optional<abut_vec3> to;
   std::optional<abut_vec3> up;
-  std::string build;    // of a report: a folder; empty: that of the sources
-  std::string compare;  // empty: no other report
-  std::string out;      // empty: the folder that report.py chooses
+  double error_bound = 0;  // of options; 0: the default
+  double time_budget = 0;  // of options, in seconds; 0: none
+  std::string routes;      // a table of them; empty: that of the library
+  std::string build;       // of a report: a folder; empty: that of the sources
+  std::string compare;     // empty: no other report
+  std::string out;         // empty: the folder that report.py chooses
   bool quick = false;
   bool quiet = false;
   bool json = false;

@@ -11,12 +11,13 @@ namespace {
 
 constexpr std::string_view stepping = "--steps --dt --threads --json";
 
-constexpr std::array<CommandRow, 14> rows{
+constexpr std::array<CommandRow, 15> rows{
     {{Command::run, "run", "SCENE", "steps a scene, writes contacts and events, prints counts and times",
       "--steps --dt --threads --contacts --events --quiet --json"},
      {Command::explain, "explain", "SCENE", "steps a scene, prints what the last step did and why", stepping},
      {Command::explain_pair, "explain pair", "SCENE A B",
-      "prints every way to the distance of two geometries, with times", stepping},
+      "prints every way to the distance of two geometries, with times, and what a budget takes",
+      "--steps --dt --threads --error-bound --time-budget --routes --json"},
      {Command::check, "check", "SCENE [A B]", "tells what is odd about a scene, or why A and B touch or not", stepping},
      {Command::distance, "distance", "[SCENE] A B", "prints the distance of A and B, its interval and its points",
       stepping},
@@ -27,13 +28,14 @@ constexpr std::array<CommandRow, 14> rows{
      {Command::lean, "lean", "SCENE", "prints the line that configures the build a scene needs", "--json"},
      {Command::report, "report", "[REPORT]", "draws errors and times as a page; without a report, measures first",
       "--quick --build --compare --out"},
+     {Command::tune, "tune", "[FILE]", "measures this machine and writes what time budgets choose by; 10 seconds", ""},
      {Command::shapes, "shapes", "", "lists the kinds of shapes and their parameters", "--json"},
      {Command::completion, "completion", "SHELL", "prints completion for bash, zsh or fish", ""},
      {Command::manual, "manual", "", "prints the manual page, for man -l -", ""},
      {Command::help, "--help", "", "prints this text; after a command, what that command takes", ""},
      {Command::version, "--version", "", "prints the version", ""}}};
 
-constexpr std::array<OptionRow, 15> options{
+constexpr std::array<OptionRow, 18> options{
     {{"--steps", "N", "steps to run; without it those of the scene for run, 1 for all others"},
      {"--dt", "S", "time from step to step; without it that of the scene"},
      {"--threads", "N", "threads of a step, 0 for all; results are the same bits for any number"},
@@ -44,6 +46,9 @@ constexpr std::array<OptionRow, 15> options{
      {"--from", "X,Y,Z", "where the camera of a picture stands; without it so that all fits in"},
      {"--to", "X,Y,Z", "where it looks to; without it to the middle of the scene"},
      {"--up", "X,Y,Z", "what is up in the picture; without it 0,0,1"},
+     {"--error-bound", "E", "the error bound of options, relative to the size of the shapes; without it the default"},
+     {"--time-budget", "S", "the time budget of options, in seconds for one question; without it none"},
+     {"--routes", "FILE", "a table that abut tune wrote, in place of the one that abut comes with"},
      {"--quick", "", "measures few cases for a report, at most 3 minutes"},
      {"--build", "FOLDER", "the build whose benchmarks a report runs; without it build/release of the sources"},
      {"--compare", "FILE", "prints what got slower or less exact since this report.json"},

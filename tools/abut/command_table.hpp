@@ -21,6 +21,7 @@ enum class Command : std::uint8_t {
   picture,
   lean,
   report,
+  tune,
   shapes,
   completion,
   manual,

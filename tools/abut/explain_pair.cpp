@@ -14,6 +14,7 @@
 
 #include "algorithms.hpp"
 #include "commands.hpp"
+#include "explain_routes.hpp"
 #include "failures.hpp"
 #include "output_file.hpp"
 #include "placed.hpp"
@@ -107,7 +108,7 @@ std::string table_of(const Placed& a, const Placed& b, const std::vector<Answer>
   return text;
 }
 
-std::string json_of(const Placed& a, const Placed& b, const std::vector<Answer>& answers) {
+std::string json_of(const Placed& a, const Placed& b, const std::vector<Answer>& answers, const PairRoutes& routes) {
   nlohmann::ordered_json json{{"a", {{"name", a.name}, {"kind", kind_name(a.shape)}}},
                               {"b", {{"name", b.name}, {"kind", kind_name(b.shape)}}},
                               {"contacts", count_contacts(a, b)},
@@ -124,6 +125,7 @@ std::string json_of(const Placed& a, const Placed& b, const std::vector<Answer>&
                                  {"steps", each.distance.iterations},
                                  {"microseconds", each.microseconds}});
   }
+  json["routes"] = json_of(routes);
   return json.dump(2) + "\n";
 }
 
@@ -139,7 +141,8 @@ void explain_pair(const Arguments& arguments) {
   if (!answers.front().refusal.empty()) {
     throw BadInput(a.name + " and " + b.name + ": " + answers.front().refusal);
   }
-  print(arguments.json ? json_of(a, b, answers) : table_of(a, b, answers));
+  const PairRoutes routes = routes_of(arguments, a, b);
+  print(arguments.json ? json_of(a, b, answers, routes) : table_of(a, b, answers) + text_of(routes));
 }
 
 }  // namespace cli

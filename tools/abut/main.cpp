@@ -19,6 +19,7 @@
 #include "pairs.hpp"
 #include "picture.hpp"
 #include "report.hpp"
+#include "tune.hpp"
 
 namespace cli {
 namespace {
@@ -37,6 +38,7 @@ Status obey(const Arguments& arguments) {
     case Command::picture: draw_scene(arguments); break;
     case Command::lean: print_lean_build(arguments); break;
     case Command::report: return report(arguments);
+    case Command::tune: tune(arguments); break;
     case Command::completion: print(completion_for(arguments.operands[0])); break;
     case Command::manual: print(manual_page()); break;
   }

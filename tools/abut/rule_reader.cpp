@@ -114,6 +114,9 @@ abut_policy read_policy(Fields& fields) {
   if (const auto error_bound = fields.find("error_bound")) {
     policy.error_bound = error_bound->not_negative();
   }
+  if (const auto time_budget = fields.find("time_budget")) {
+    policy.time_budget = time_budget->not_negative();
+  }
   return policy;
 }
 

@@ -96,6 +96,13 @@ namespace Abut
         None = 0, Welds = 1
     }
 
+    /// <summary>Bits of the flags of a route.</summary>
+    [Flags]
+    public enum RouteFlags : uint
+    {
+        None = 0, Chosen = 1, InTime = 2, InBound = 4
+    }
+
     /// <summary>Bits of the flags of a contact.</summary>
     [Flags]
     public enum ContactFlags : uint
@@ -551,6 +558,18 @@ namespace Abut
         public uint MaxPairContacts;
         public uint Threads;
         public QueryFlags Flags;
+        public double TimeBudget;
+    }
+
+    /// <summary>A way to ask two kinds of shape, as it was measured over ordinary pairs of them.</summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public partial struct Route
+    {
+        public Algorithm Algorithm;
+        public RouteFlags Flags;
+        public double ErrorBound;
+        public double Seconds;
+        public double WorstError;
     }
 
     /// <summary>Signed distance of two shapes.</summary>
@@ -817,6 +836,7 @@ namespace Abut
         public double RestDistance;
         public double ConeAngle;
         public double ConeFactor;
+        public double TimeBudget;
     }
 
     /// <summary>Two tags that follow the distance of geometries from centres, such as those of a camera and of what is held</summary>
@@ -1364,6 +1384,8 @@ namespace Abut
         [DllImport("abut")] internal static extern Status abut_shape_prepare(Shape shape, uint threads);
         [DllImport("abut")] internal static extern Status abut_shape_cast_ray(Shape shape, ref Pose pose, ref Ray ray, out RayHit hit, out uint found);
         [DllImport("abut")] internal static extern void abut_query_options_init(out QueryOptions options, uint structSize);
+        [DllImport("abut")] internal static extern Status abut_pair_routes(uint kindA, uint kindB, Query query, QueryOptions[] options, [Out] Route[] routes, UIntPtr capacity, out UIntPtr count);
+        [DllImport("abut")] internal static extern Status abut_routes_load(string text);
         [DllImport("abut")] internal static extern Status abut_contact_validate(ref Contact contact);
         [DllImport("abut")] internal static extern Status abut_pair_distance(Shape a, ref Pose poseA, Shape b, ref Pose poseB, QueryOptions[] options, out Distance @out);
         [DllImport("abut")] internal static extern Status abut_pairs_distance(Shape a, Pose[] posesA, Shape b, Pose[] posesB, UIntPtr count, QueryOptions[] options, [Out] Distance[] @out);
@@ -1603,7 +1625,8 @@ namespace Abut
             { typeof(ShapeDesc), 56 },
             { typeof(Ray), 56 },
             { typeof(RayHit), 72 },
-            { typeof(QueryOptions), 40 },
+            { typeof(QueryOptions), 48 },
+            { typeof(Route), 32 },
             { typeof(Distance), 104 },
             { typeof(Contact), 192 },
             { typeof(PairMemory), 64 },
@@ -1623,7 +1646,7 @@ namespace Abut
             { typeof(GeometryInfo), 200 },
             { typeof(Revision), 16 },
             { typeof(Collidable), 12 },
-            { typeof(Policy), 80 },
+            { typeof(Policy), 88 },
             { typeof(Focus), 32 },
             { typeof(ContactMaterial), 96 },
             { typeof(Event), 40 },

@@ -11,12 +11,12 @@ from . import answers, c, given, options
 from .c import library
 from .progress import Progress, chunks
 from .records import Groups, Records, empty, part_of
-from .shapes import Shape
+from .shapes import Shape, kind_number
 from .values import poses
 
 __all__ = [
-    "pair_cast", "pair_contacts", "pair_distance", "pair_memories", "pair_overlaps", "pairs_cast", "pairs_contacts",
-    "pairs_distance", "pairs_overlap", "points_distance", "validate_contact"]
+    "load_routes", "pair_cast", "pair_contacts", "pair_distance", "pair_memories", "pair_overlaps", "pair_routes",
+    "pairs_cast", "pairs_contacts", "pairs_distance", "pairs_overlap", "points_distance", "validate_contact"]
 
 _NO_WAY = (0.0, 0.0, 0.0)
 
@@ -104,6 +104,23 @@ def pairs_contacts(a: Shape, poses_a: Any, b: Shape, poses_b: Any, memories: Any
         call = (pointers[0], poses_of_a, pointers[1], poses_of_b, length, query, *kept)
         parts.append(answers.groups(c.Contact, length, lambda *rest: ask(*call, *rest), 4 * length + 16))
     return answers.joined(parts)
+
+
+def pair_routes(kind_a: str, kind_b: str, query: int = c.QUERY_DISTANCE, **fields: Any) -> Records:
+    """The measured routes of two kinds: algorithm, error_bound, seconds of one question, worst_error.
+
+    ROUTE_CHOSEN in `flags` marks the one that `time_budget` takes. The fields are those of QueryOptions.
+    """
+    asked = (kind_number("kind_a", kind_a), kind_number("kind_b", kind_b), query, options.query(fields))
+    return answers.records(c.Route, lambda *rest: library.abut_pair_routes(*asked, *rest))
+
+
+def load_routes(text: str | None = None) -> None:
+    """Routes as `abut tune` writes them, for all pairs of this process; without a text those that abut comes with.
+
+    No other thread may ask abut anything meanwhile.
+    """
+    library.abut_routes_load(None if text is None else text.encode())
 
 
 def pair_overlaps(a: Shape, pose_a: Any, b: Shape, pose_b: Any, **fields: Any) -> bool:

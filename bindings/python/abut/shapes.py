@@ -283,7 +283,7 @@ class Shape(Owner):
         numbers, points = given.numbers("parameters", parameters), given.numbers("reals", reals)
         corners = given.numbers("indices", indices, c_uint32)
         desc = options.filled(c.ShapeDesc, library.abut_shape_desc_init, {})
-        desc.kind = _kind_of("name", name)
+        desc.kind = kind_number("name", name)
         desc.parameters, desc.parameter_count = numbers, len(numbers)
         desc.reals, desc.real_count = points, len(points)
         desc.indices, desc.index_count = corners, len(corners)
@@ -390,7 +390,7 @@ def _unpickled(cls, data):
     return cls(pointer)
 
 
-def _kind_of(argument, name):
+def kind_number(argument, name):
     """The number of a kind by its name."""
     kind = library.abut_shape_kind_by_name(given.text(argument, name))
     if not kind:
@@ -410,12 +410,12 @@ def _parameters_of(kind, count):
 
 def shape_parameters(kind: str) -> list[str]:
     """Names of the parameters of a kind of shape, in the order in which Shape.of_kind takes them."""
-    number = _kind_of("kind", kind)
+    number = kind_number("kind", kind)
     return _parameters_of(number, library.abut_shape_kind_parameter_count(number))
 
 
 def pair_support(kind_a: str, kind_b: str, query: int = c.QUERY_CONTACTS) -> bool:
     """Whether two kinds of shape answer QUERY_DISTANCE or QUERY_CONTACTS."""
     out = c_uint32()
-    library.abut_pair_support(_kind_of("kind_a", kind_a), _kind_of("kind_b", kind_b), query, byref(out))
+    library.abut_pair_support(kind_number("kind_a", kind_a), kind_number("kind_b", kind_b), query, byref(out))
     return out.value == 1

@@ -159,6 +159,23 @@ class Queries(unittest.TestCase):
         self.assertFalse(abut.pair_support("plane", "plane"))
         self.assertTrue(abut.pair_support("plane", "box", abut.QUERY_DISTANCE))
 
+    def test_a_time_budget_takes_a_route(self):
+        abut.load_routes("# abut routes 1\ndistance cone cylinder auto 0 1e-06 1e-09\n"
+                         "distance cone cylinder auto 0.01 2e-07 0.01\n")
+        try:
+            routes = abut.pair_routes("cylinder", "cone", time_budget=5e-7)
+            self.assertEqual([bool(route.flags & abut.ROUTE_CHOSEN) for route in routes], [False, True])
+            self.assertEqual([route.error_bound for route in routes], [0, 0.01])
+            cone, cylinder = abut.Shape.cone(1, 1), abut.Shape.cylinder(1, 1)
+            asked = (cone, abut.pose(), cylinder, abut.pose(0.5, 1, 4))
+            self.assertEqual(abut.pair_distance(*asked, time_budget=5e-7).upper,
+                             abut.pair_distance(*asked, error_bound=0.01).upper)
+            with self.assertRaisesRegex(abut.Error, "text: line 1 is 'none'"):
+                abut.load_routes("none")
+        finally:
+            abut.load_routes()
+        self.assertGreater(len(abut.pair_routes("box", "box", abut.QUERY_CONTACTS)), 0)
+
     def test_failures_are_logged(self):
         told = []
         abut.set_log(lambda level, message: told.append((level, message)))

@@ -316,8 +316,23 @@ pub struct abut_query_options {
     pub max_pair_contacts: u32,
     pub threads: u32,
     pub flags: abut_query_flags,
+    pub time_budget: f64,
 }
-const _: [(); 40] = [(); ::std::mem::size_of::<abut_query_options>()];
+const _: [(); 48] = [(); ::std::mem::size_of::<abut_query_options>()];
+pub type abut_route_flags = u32;
+pub const ABUT_ROUTE_CHOSEN: abut_route_flags = 1;
+pub const ABUT_ROUTE_IN_TIME: abut_route_flags = 2;
+pub const ABUT_ROUTE_IN_BOUND: abut_route_flags = 4;
+#[repr(C)]
+#[derive(Debug, Default, Copy, Clone)]
+pub struct abut_route {
+    pub algorithm: abut_algorithm,
+    pub flags: abut_route_flags,
+    pub error_bound: f64,
+    pub seconds: f64,
+    pub worst_error: f64,
+}
+const _: [(); 32] = [(); ::std::mem::size_of::<abut_route>()];
 #[repr(C)]
 #[derive(Debug, Default, Copy, Clone)]
 pub struct abut_distance {
@@ -655,8 +670,9 @@ pub struct abut_policy {
     pub rest_distance: f64,
     pub cone_angle: f64,
     pub cone_factor: f64,
+    pub time_budget: f64,
 }
-const _: [(); 80] = [(); ::std::mem::size_of::<abut_policy>()];
+const _: [(); 88] = [(); ::std::mem::size_of::<abut_policy>()];
 #[repr(C)]
 #[derive(Debug, Default, Copy, Clone)]
 pub struct abut_focus {
@@ -977,6 +993,8 @@ extern "C" {
     pub fn abut_shape_prepare(shape: *const abut_shape, threads: u32) -> abut_status;
     pub fn abut_shape_cast_ray(shape: *const abut_shape, pose: *const abut_pose, ray: *const abut_ray, hit: *mut abut_ray_hit, found: *mut u32) -> abut_status;
     pub fn abut_query_options_init(options: *mut abut_query_options, struct_size: u32);
+    pub fn abut_pair_routes(kind_a: abut_shape_kind, kind_b: abut_shape_kind, query: abut_query, options: *const abut_query_options, routes: *mut abut_route, capacity: usize, count: *mut usize) -> abut_status;
+    pub fn abut_routes_load(text: *const ::std::os::raw::c_char) -> abut_status;
     pub fn abut_contact_validate(contact: *const abut_contact) -> abut_status;
     pub fn abut_pair_distance(a: *const abut_shape, pose_a: *const abut_pose, b: *const abut_shape, pose_b: *const abut_pose, options: *const abut_query_options, out: *mut abut_distance) -> abut_status;
     pub fn abut_pairs_distance(a: *const abut_shape, poses_a: *const abut_pose, b: *const abut_shape, poses_b: *const abut_pose, count: usize, options: *const abut_query_options, out: *mut abut_distance) -> abut_status;

@@ -122,6 +122,7 @@ struct QueryOptions : Defaulted<QueryOptions, abut_query_options, abut_query_opt
   }
   [[nodiscard]] QueryOptions with_threads(std::uint32_t value) const { return with(&C::threads, value); }
   [[nodiscard]] QueryOptions with_flags(abut_query_flags value) const { return with(&C::flags, value); }
+  [[nodiscard]] QueryOptions with_time_budget(double value) const { return with(&C::time_budget, value); }
 };
 
 struct QueryFilter : Defaulted<QueryFilter, abut_query_filter, abut_query_filter_init> {
@@ -150,6 +151,7 @@ struct Policy : Defaulted<Policy, abut_policy, abut_policy_init> {
   [[nodiscard]] Policy with_period(std::uint32_t value) const { return with(&C::period, value); }
   [[nodiscard]] Policy with_tolerance(double value) const { return with(&C::tolerance, value); }
   [[nodiscard]] Policy with_error_bound(double value) const { return with(&C::error_bound, value); }
+  [[nodiscard]] Policy with_time_budget(double value) const { return with(&C::time_budget, value); }
   // The following are looked at for ABUT_DETAIL_ELEMENTS alone.
   [[nodiscard]] Policy with_method(ClosestMethod value) const { return with(&C::method, value); }
   [[nodiscard]] Policy with_kinds(abut_stencil_kinds value) const { return with(&C::kinds, value); }

@@ -89,6 +89,17 @@ inline Answer<void> pairs_distance(const Shape& a, Span<const Pose> poses_a, con
                         out);
 }
 
+// The measured routes of two kinds; ABUT_ROUTE_CHOSEN marks the one that the time budget of the options takes.
+[[nodiscard]] inline Answer<std::vector<Route>> pair_routes(ShapeKind a, ShapeKind b, Query query,
+                                                            OptionalRef<abut_query_options> options = {}) {
+  return detail::collect<Route>([&](Route* data, std::size_t capacity, std::size_t* count) {
+    return abut_pair_routes(a, b, query, options.get(), data, capacity, count);
+  });
+}
+
+// A table that `abut tune` wrote; null for the one that abut comes with. No other function of abut may run.
+inline Answer<void> load_routes(const char* text) { return detail::answer(abut_routes_load(text)); }
+
 // Deepest first; `out` receives as many as fit, and the answer tells how many there are.
 [[nodiscard]] inline Answer<std::size_t> pair_contacts(const Shape& a, const Pose& pose_a, const Shape& b,
                                                        const Pose& pose_b, Span<Contact> out,

@@ -68,6 +68,7 @@ using Movement = abut_movement;
 using QueryHit = abut_query_hit;
 using RayHit = abut_ray_hit;
 using Revision = abut_revision;
+using Route = abut_route;
 using SleepChange = abut_sleep_change;
 using Stencil = abut_stencil;
 using StepImpact = abut_step_impact;

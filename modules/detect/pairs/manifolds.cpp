@@ -17,6 +17,7 @@ import abut.pairs.two_shapes.runs;
 import abut.pairs.pair_job;
 import abut.scene.state.options;
 import abut.scene.state.places;
+import abut.scene.meetings.measured_routes;
 import abut.scene.meetings.policies;
 
 namespace abut {
@@ -94,6 +95,15 @@ void find_touches(std::size_t number, const Places& places, JobList& jobs) {
   scratch.clear();
 }
 
+// What a policy asks of the pairs of a run. A time budget chooses for all of them at once.
+QuerySettings settings_of(const Policy& policy, std::size_t run, bool welds) {
+  QuerySettings settings{.algorithm = policy.algorithm, .error_bound = policy.error_bound, .welds = welds};
+  if (policy.time_budget > 0 && is_pair_run(run)) [[unlikely]] {
+    take_route(Question::contacts, run / shape_kind_count, run % shape_kind_count, policy.time_budget, settings);
+  }
+  return settings;
+}
+
 void find_in_chunk(std::size_t number, const UniverseOptions& options, const PolicyTable& policies,
                    const Places& places, std::span<const ContactHistory> histories, PairStore& pairs, SideStage& sides,
                    JobList& jobs) {
@@ -101,8 +111,7 @@ void find_in_chunk(std::size_t number, const UniverseOptions& options, const Pol
   ChunkScratch& scratch = jobs.scratch(number);
   const std::span<const PairJob> its_jobs = jobs.jobs().subspan(chunk.begin, chunk.end - chunk.begin);
   const Policy& policy = policies.at(chunk.policy);
-  const QuerySettings settings{
-      .algorithm = policy.algorithm, .error_bound = policy.error_bound, .welds = options.welds};
+  const QuerySettings settings = settings_of(policy, chunk.run, options.welds);
   scratch.points.clear();
   if (chunk.run >= path_run) {
     for (std::uint32_t job = chunk.begin; job < chunk.end; ++job) {

@@ -13,6 +13,7 @@ import abut.pairs.two_shapes.runs;
 import abut.pairs.composites.seams;
 import abut.scene.state.options;
 import abut.scene.state.places;
+import abut.scene.meetings.measured_routes;
 import abut.scene.meetings.policies;
 
 namespace abut {
@@ -40,8 +41,11 @@ void find_points(const PathScene& scene, const Sides& sides, const Moment& momen
   const AnyShape &a = *scene.places.shapes[sides.job.a], &b = *scene.places.shapes[sides.job.b];
   const std::size_t before = points.size();
   const bool welds = scene.options.welds;
-  const QuerySettings wanted{
+  QuerySettings wanted{
       .algorithm = policy.algorithm, .error_bound = policy.error_bound, .margin = margin, .welds = welds};
+  if (policy.time_budget > 0) {
+    take_route(Question::contacts, kind_in_pairs(a), kind_in_pairs(b), policy.time_budget, wanted);
+  }
   if (contacts_in_frame(a, b, relative(moment.a, moment.b), wanted, points) != Outcome::ok) {
     points.resize(before);
     const QuerySettings any{.margin = margin, .welds = welds};

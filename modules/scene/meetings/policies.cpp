@@ -62,6 +62,7 @@ Fault check_policy(const Policy& policy) {
   }
   const ElementRule& its = policy.elements;
   Fault fault = check_not_negative("error_bound", policy.error_bound);
+  fault = fault ? fault : check_not_negative("time_budget", policy.time_budget);
   fault = fault ? fault : check_not_negative("contact_distance", its.contact_distance);
   fault = fault ? fault : check_not_negative("rest_distance", its.rest_distance);
   fault = fault ? fault : check_share("cone_angle", its.cone_angle);

@@ -206,6 +206,7 @@ struct Policy {
   std::uint32_t period = 1;  // found anew once in so many steps, and kept in between
   Real tolerance = -1;       // of the pair; negative: the sum of both
   Real error_bound = 0;      // as in QuerySettings
+  Real time_budget = 0;      // seconds for the contacts of a pair, which choose among measured routes; 0: none
   ElementRule elements = {};
 
   friend constexpr bool operator==(const Policy&, const Policy&) = default;

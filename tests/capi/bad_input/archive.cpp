@@ -60,7 +60,7 @@ TEST(UniverseLoad, RefusesAWrongMarkVersionOrChecksum) {
   EXPECT_TRUE(refused(load(bytes, out), ABUT_INVALID_ARGUMENT, {"begin otherwise"}));
   bytes = all;
   bytes[8] = 99;
-  EXPECT_TRUE(refused(load(bytes, out), ABUT_UNSUPPORTED, {"version 99", "version 5"}));
+  EXPECT_TRUE(refused(load(bytes, out), ABUT_UNSUPPORTED, {"version 99", "version 6"}));
   for (const std::size_t place : {std::size_t{12}, std::size_t{40}, all.size() - 1}) {
     bytes = all;
     bytes[place] ^= 0x10;

@@ -74,6 +74,7 @@ TEST(QueryOptionsInit, FillsInTheDefaults) {
   EXPECT_EQ(options.value().struct_size, sizeof(abut_query_options));
   EXPECT_EQ(options.value().algorithm, abut_algorithm{ABUT_ALGORITHM_AUTO});
   EXPECT_EQ(options.value().error_bound, 0.0);
+  EXPECT_EQ(options.value().time_budget, 0.0);
   EXPECT_EQ(options.value().margin, 0.0);
   EXPECT_EQ(options.value().max_contacts, 4U);
   EXPECT_EQ(options.value().max_pair_contacts, 0U);

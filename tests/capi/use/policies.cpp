@@ -42,6 +42,7 @@ TEST(Policies, ReadBackInEitherOrder) {
   policy.period = 9;
   policy.tolerance = 0.5;
   policy.error_bound = 1e-6;
+  policy.time_budget = 1e-7;
   ASSERT_TRUE(succeeded(abut_policy_set(universe, 63, 0, &policy)));
   for (const auto& [a, b] : {std::pair{63U, 0U}, std::pair{0U, 63U}}) {
     abut_policy found = default_policy();
@@ -51,6 +52,7 @@ TEST(Policies, ReadBackInEitherOrder) {
     EXPECT_EQ(found.period, policy.period);
     EXPECT_EQ(found.tolerance, policy.tolerance);
     EXPECT_EQ(found.error_bound, policy.error_bound);
+    EXPECT_EQ(found.time_budget, policy.time_budget);
   }
   for (const auto& [a, b] : {std::pair{0U, 0U}, std::pair{63U, 63U}, std::pair{62U, 0U}}) {
     abut_policy found = policy;

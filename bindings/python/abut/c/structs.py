@@ -11,7 +11,7 @@ from .base import Address, Double, Doubles, Id, Numbers, Struct, Text, UInt32, U
 
 __all__ = ["Vec3", "Quat", "Pose", "Aabb", "PartId", "GeometryId", "Feature", "HullReport", "MeshOptions", "MeshReport",
     "UvGridOptions", "HeightFieldDesc", "DistanceFieldDesc", "DistanceFieldOptions", "DistanceFieldReport", "ShapeDesc",
-    "Ray", "RayHit", "QueryOptions", "Distance", "Contact", "PairMemory", "FirstTouch", "ElementCounts",
+    "Ray", "RayHit", "QueryOptions", "Route", "Distance", "Contact", "PairMemory", "FirstTouch", "ElementCounts",
     "ElementsOptions", "Stencil", "ElementPair", "Crossing", "Movement", "ImpactOptions", "Impact", "UniverseOptions",
     "PartOptions", "Sleep", "GeometryOptions", "GeometryInfo", "Revision", "Collidable", "Policy", "Focus",
     "ContactMaterial", "Event", "SleepChange", "LocalPoints", "StepStats", "Finding", "Island", "Velocity",
@@ -208,6 +208,16 @@ class QueryOptions(Struct):
     max_pair_contacts: UInt32
     threads: UInt32
     flags: UInt32
+    time_budget: Double
+
+
+@struct
+class Route(Struct):
+    algorithm: UInt32
+    flags: UInt32
+    error_bound: Double
+    seconds: Double
+    worst_error: Double
 
 
 @struct
@@ -438,6 +448,7 @@ class Policy(Struct):
     rest_distance: Double
     cone_angle: Double
     cone_factor: Double
+    time_budget: Double
 
 
 @struct

@@ -53,6 +53,7 @@ TEST(Policy, IsCheckedBeforeItIsTaken) {
   EXPECT_FALSE(check_policy({}).has_value());
   EXPECT_TRUE(check_policy({.period = 0}).has_value());
   EXPECT_TRUE(check_policy({.error_bound = -1}).has_value());
+  EXPECT_TRUE(check_policy({.time_budget = -1}).has_value());
 }
 
 }  // namespace
