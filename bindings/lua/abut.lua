@@ -40,7 +40,7 @@ function abut.mesh(xyz, triangles, options)
     core.refuse("triangles has %d numbers, which is not a multiple of %d", #triangles, width)
   end
   local array, count = points(xyz, "xyz")
-  local indices, index_count = core.array("uint32_t", triangles)
+  local indices, index_count = core.array("uint32_t", triangles, "triangles")
   return made(library.abut_mesh_create, array, count, indices, index_count / width,
               core.options("abut_mesh_options", options))
 end

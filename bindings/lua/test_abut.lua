@@ -186,6 +186,16 @@ function tests.queries_find_geometries()
   equal(#universe:overlaps(point, abut.pose(0.7)), 2)
 end
 
+function tests.whole_numbers_that_do_not_fit_are_named()
+  local square = {-1, -1, 0, 1, -1, 0, 1, 1, 0}
+  refused("ABUT_INVALID_ARGUMENT", "triangles[3] is 4294967296", abut.mesh, square, {0, 1, 2 ^ 32})
+  refused("ABUT_INVALID_ARGUMENT", "triangles[1] is 0.5", abut.mesh, square, {0.5, 1, 2})
+  refused("ABUT_INVALID_ARGUMENT", "threads is 1.5", abut.universe, {threads = 1.5})
+  local universe, parts = row(1)
+  refused("ABUT_INVALID_ARGUMENT", "label is 4294967296", universe.add_geometry, universe, parts[1], abut.sphere(1), {label = 2 ^ 32})
+  equal(abut.kind(abut.mesh(square, {0, 1, 2}, {sides = 1})), "mesh")
+end
+
 local names = {}
 for name in pairs(tests) do names[#names + 1] = name end
 table.sort(names)
