@@ -25,6 +25,7 @@ Version: 0.2.0
 Cflags: -I$(cd "$here/../../include" && pwd -P)
 Libs: -L$libraries -labut
 END
+  sed 's/^Name: abut/&_picking/; s/-labut$/-labut_picking -labut/' "$out/abut.pc" > "$out/abut_picking.pc"
   export PKG_CONFIG_PATH=$out
 }
 

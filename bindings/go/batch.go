@@ -13,8 +13,9 @@ import (
 
 // CastHit tells where two moving shapes first touch.
 type CastHit struct {
-	Fraction float64  // of the displacements
-	Contact  Distance // at that time
+	Geometry GeometryID // what is met; zero for two shapes outside of a universe
+	Fraction float64    // of the displacements
+	Contact  Distance   // at that time
 }
 
 // PairContactLists asks for the contacts of many pairs of poses in one call: a slice for each pair.
@@ -82,7 +83,7 @@ func PairCasts(a *Shape, posesA []Pose, displacementsA []Vec3, b *Shape, posesB 
 	hits := make([]*CastHit, count)
 	for i, its := range out {
 		if !math.IsInf(float64(its.fraction), 1) {
-			hits[i] = &CastHit{float64(its.fraction), distance(its.contact)}
+			hits[i] = &CastHit{Fraction: float64(its.fraction), Contact: distance(its.contact)}
 		}
 	}
 	return hits, nil

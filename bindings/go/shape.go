@@ -51,6 +51,53 @@ func Capsule(radius, halfHeight float64) (*Shape, error) {
 	})
 }
 
+// Cylinder is solid along local Z with flat ends, of which halfHeight is one half.
+func Cylinder(radius, halfHeight float64) (*Shape, error) {
+	return made(func(out **C.abut_shape) C.abut_status {
+		return C.abut_cylinder_create(C.double(radius), C.double(halfHeight), out)
+	})
+}
+
+// HeightField is terrain: columns * rows heights, X fastest.
+func HeightField(columns, rows uint32, spacingX, spacingY float64, heights []float64) (*Shape, error) {
+	if uint64(columns)*uint64(rows) != uint64(len(heights)) {
+		return nil, differ("columns * rows", int(columns)*int(rows), "heights", len(heights))
+	}
+	place := copied(heights)
+	defer C.free(unsafe.Pointer(place))
+	var desc C.abut_height_field_desc
+	C.abut_height_field_desc_init(&desc, C.uint32_t(unsafe.Sizeof(desc)))
+	desc.columns, desc.rows = C.uint32_t(columns), C.uint32_t(rows)
+	desc.spacing_x, desc.spacing_y = C.double(spacingX), C.double(spacingY)
+	desc.heights = place
+	return made(func(out **C.abut_shape) C.abut_status { return C.abut_height_field_create(&desc, out) })
+}
+
+// Particles are small balls of one radius.
+func Particles(centres []Vec3, radius float64) (*Shape, error) {
+	return made(func(out **C.abut_shape) C.abut_status {
+		return C.abut_particles_create(numbers(centres), C.size_t(len(centres)), C.double(radius), out)
+	})
+}
+
+// Composite is one shape of several, each with a pose in its frame. It keeps its children alive.
+func Composite(children []*Shape, at []Pose) (*Shape, error) {
+	if len(children) != len(at) {
+		return nil, differ("children", len(children), "at", len(at))
+	}
+	if len(children) == 0 {
+		return made(func(out **C.abut_shape) C.abut_status { return C.abut_composite_create(nil, nil, 0, out) })
+	}
+	pointers := make([]*C.abut_shape, len(children))
+	for i, child := range children {
+		pointers[i] = child.pointer
+	}
+	defer runtime.KeepAlive(children)
+	return made(func(out **C.abut_shape) C.abut_status {
+		return C.abut_composite_create(&pointers[0], poses(at), C.size_t(len(children)), out)
+	})
+}
+
 // Plane is the half-space of the points p with dot(normal, p) <= offset.
 func Plane(normal Vec3, offset float64) (*Shape, error) {
 	its := normal.raw()
@@ -80,19 +127,24 @@ func Mesh(vertices []Vec3, triangles [][3]uint32) (*Shape, error) {
 func OfKind(kind string, parameters ...float64) (*Shape, error) {
 	name := C.CString(kind)
 	defer C.free(unsafe.Pointer(name))
-	// C may keep no pointer of Go in a struct of Go, so the numbers go into memory of C.
-	size := C.size_t(len(parameters)) * C.size_t(unsafe.Sizeof(float64(0)))
-	place := (*C.double)(C.malloc(size + 1))
+	place := copied(parameters)
 	defer C.free(unsafe.Pointer(place))
-	for i, parameter := range parameters {
-		unsafe.Slice(place, len(parameters))[i] = C.double(parameter)
-	}
 	var desc C.abut_shape_desc
 	C.abut_shape_desc_init(&desc, C.uint32_t(unsafe.Sizeof(desc)))
 	desc.kind = C.abut_shape_kind_by_name(name)
 	desc.parameters = place
 	desc.parameter_count = C.uint64_t(len(parameters))
 	return made(func(out **C.abut_shape) C.abut_status { return C.abut_shape_create(&desc, out) })
+}
+
+// C may keep no pointer of Go in a struct of Go, so numbers that a struct points to are copied to memory of C.
+func copied(values []float64) *C.double {
+	size := C.size_t(len(values)) * C.size_t(unsafe.Sizeof(float64(0)))
+	place := (*C.double)(C.malloc(size + 1))
+	for i, value := range values {
+		unsafe.Slice(place, len(values))[i] = C.double(value)
+	}
+	return place
 }
 
 // Kind is the name of its kind, such as "sphere".

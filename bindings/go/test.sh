@@ -7,5 +7,10 @@ need go pkg-config cc
 describe_library
 export GOCACHE=$out/cache GOFLAGS=-buildvcs=false GOPROXY=off CGO_ENABLED=1
 cd "$here"
-go test ./...
+packages=(.)
+if [[ -e $libraries/libabut_picking.so ]]; then
+  packages+=(./picking)
+fi
+go vet "${packages[@]}" ./first_query
+go test "${packages[@]}"
 first_query go run ./first_query

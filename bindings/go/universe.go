@@ -113,6 +113,83 @@ func (universe *Universe) AddGeometry(part PartID, shape *Shape) (GeometryID, er
 	return geometryID(out), failure
 }
 
+// GeometryOptions are those that AddGeometryWith takes. Begin with DefaultGeometry().
+type GeometryOptions struct {
+	Sensor    bool
+	Pose      Pose    // in the frame of the part
+	Tolerance float64 // not negative; the tolerance of a pair is the sum of both
+	UserData  uint64
+	Layers    uint64 // what it is
+	Mask      uint64 // the layers that it meets
+	Exclusion uint64 // geometries that have a bit in common never meet
+	Label     uint32 // for rules
+	Tag       uint32 // for policies, below 64
+	Material  uint32
+	Parking   Parking
+}
+
+// DefaultGeometry is what AddGeometry takes.
+func DefaultGeometry() GeometryOptions {
+	return GeometryOptions{Pose: At(0, 0, 0), Layers: 1, Mask: math.MaxUint64}
+}
+
+// AddGeometryWith puts a shape on a part, with options. The universe keeps the shape alive.
+func (universe *Universe) AddGeometryWith(part PartID, shape *Shape, given GeometryOptions) (GeometryID, error) {
+	defer runtime.KeepAlive(shape)
+	var options C.abut_geometry_options
+	C.abut_geometry_options_init(&options, C.uint32_t(unsafe.Sizeof(options)))
+	if given.Sensor {
+		options.flags = C.ABUT_GEOMETRY_SENSOR
+	}
+	options.pose = given.Pose.raw()
+	options.tolerance = C.double(given.Tolerance)
+	options.user_data = C.uint64_t(given.UserData)
+	options.layers, options.mask = C.uint64_t(given.Layers), C.uint64_t(given.Mask)
+	options.exclusion = C.uint64_t(given.Exclusion)
+	options.label, options.tag = C.uint32_t(given.Label), C.uint32_t(given.Tag)
+	options.material, options.parking = C.uint32_t(given.Material), C.abut_parking(given.Parking)
+	var out C.abut_geometry_id
+	failure := universe.call(func() C.abut_status {
+		return C.abut_geometry_create(universe.pointer, part.raw(), shape.pointer, &options, &out)
+	})
+	return geometryID(out), failure
+}
+
+// RemoveGeometry destroys a geometry.
+func (universe *Universe) RemoveGeometry(geometry GeometryID) error {
+	return universe.call(func() C.abut_status { return C.abut_geometry_destroy(universe.pointer, geometry.raw()) })
+}
+
+// Pose tells where a part is.
+func (universe *Universe) Pose(part PartID) (Pose, error) {
+	var out C.abut_pose
+	failure := universe.call(func() C.abut_status { return C.abut_part_pose(universe.pointer, part.raw(), &out) })
+	turn := out.orientation
+	return Pose{vec3(out.position), [4]float64{float64(turn.w), float64(turn.x), float64(turn.y), float64(turn.z)}}, failure
+}
+
+// SetPoses places parts, all or none.
+func (universe *Universe) SetPoses(parts []PartID, at []Pose) error {
+	if len(parts) != len(at) {
+		return differ("parts", len(parts), "at", len(at))
+	}
+	if len(parts) == 0 {
+		return nil
+	}
+	ids := make([]C.abut_part_id, len(parts))
+	for i, part := range parts {
+		ids[i] = part.raw()
+	}
+	return universe.call(func() C.abut_status {
+		return C.abut_parts_set_poses(universe.pointer, &ids[0], poses(at), C.size_t(len(parts)))
+	})
+}
+
+// Pointer is that of the C interface, for what this package does not wrap. It is nil when the universe is destroyed.
+func (universe *Universe) Pointer() unsafe.Pointer {
+	return unsafe.Pointer(universe.pointer)
+}
+
 // SetPose places a part; takes effect for contacts at the next step.
 func (universe *Universe) SetPose(part PartID, pose Pose) error {
 	its := pose.raw()

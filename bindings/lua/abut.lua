@@ -40,9 +40,19 @@ function abut.mesh(xyz, triangles, options)
     core.refuse("triangles has %d numbers, which is not a multiple of %d", #triangles, width)
   end
   local array, count = points(xyz, "xyz")
-  local indices, index_count = core.array("uint32_t", triangles)
+  local indices, index_count = core.array("uint32_t", triangles, "triangles")
   return made(library.abut_mesh_create, array, count, indices, index_count / width,
               core.options("abut_mesh_options", options))
+end
+
+-- Terrain: columns * rows heights, X fastest.
+function abut.height_field(columns, rows, spacing_x, spacing_y, heights)
+  if #heights ~= columns * rows then
+    core.refuse("heights has %d numbers; expected columns * rows, which is %d", #heights, columns * rows)
+  end
+  local array = core.array("double", heights)
+  return made(library.abut_height_field_create, core.options("abut_height_field_desc", {
+    columns = columns, rows = rows, spacing_x = spacing_x, spacing_y = spacing_y, heights = array}))
 end
 
 function abut.particles(xyz, radius)

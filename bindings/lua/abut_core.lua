@@ -67,16 +67,25 @@ function core.value(field, word)
   return number
 end
 
+-- Sets a field of a struct from a number or a word. LuaJIT would cut whole numbers that do not fit.
+function core.set(struct, name, field, value)
+  local number = core.value(field, value)
+  local is_known, kept = pcall(function()
+    struct[field] = number
+    return struct[field]
+  end)
+  if not is_known then core.refuse("%s cannot be %s in %s", field, tostring(value), name) end
+  if type(number) == "number" and number == number and tonumber(kept) ~= number then
+    core.refuse("%s is %s; expected a whole number from 0 on that fits", field, tostring(value))
+  end
+end
+
 -- A struct of options with the defaults of the library, and the fields of a table on top; null where there is no table.
 function core.options(name, fields)
   if not fields then return nil end
   local struct = ffi.new(name)
   library[name .. "_init"](struct, ffi.sizeof(struct))
-  for field, value in pairs(fields) do
-    local number = core.value(field, value)
-    local is_known = pcall(function() struct[field] = number end)
-    if not is_known then core.refuse("%s cannot be %s in %s", field, tostring(value), name) end
-  end
+  for field, value in pairs(fields) do core.set(struct, name, field, value) end
   return struct
 end
 
@@ -99,9 +108,17 @@ function core.copies(name, place, count)
   return copies
 end
 
--- An array for the library: of numbers or structs that a table holds.
-function core.array(name, values)
-  return ffi.new(name .. "[?]", math.max(#values, 1), values), #values
+-- An array for the library: of numbers or structs that a table holds. `what` names it in a failure.
+function core.array(name, values, what)
+  local array = ffi.new(name .. "[?]", math.max(#values, 1), values)
+  if name == "uint32_t" then
+    for i, value in ipairs(values) do
+      if array[i - 1] ~= value then
+        core.refuse("%s[%d] is %s; expected a whole number from 0 to 4294967295", what, i, tostring(value))
+      end
+    end
+  end
+  return array, #values
 end
 
 return core

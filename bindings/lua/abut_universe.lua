@@ -64,6 +64,37 @@ function Universe:park(geometry, parking)
   check(library.abut_geometry_park(self.pointer, geometry, core.value("parking", parking)))
 end
 
+local reasons = {"part", "motion", "parking", "exclusion", "layers", "rule", "filter", "kinds", "boxes", "policy", "detection", "side"}
+
+-- A table of the reasons why two geometries are not examined, such as "layers"; empty where they are.
+function Universe:why_apart(a, b)
+  local out, found = ffi.new("uint32_t[1]"), {}
+  check(library.abut_universe_why_apart(self.pointer, a, b, out))
+  for i, reason in ipairs(reasons) do
+    if bit.band(out[0], bit.lshift(1, i - 1)) ~= 0 then found[#found + 1] = reason end
+  end
+  return found
+end
+
+-- Whether pairs meet: rule is "enable", "disable", or "none" to take one away. A side is {geometry = id}, {part = id},
+-- {label = number} or "any".
+function Universe:set_rule(a, b, rule)
+  local sides = {}
+  for i, side in ipairs({a, b}) do
+    local kind, id
+    if side == "any" then kind, id = 3, {0, 0}
+    elseif type(side) == "table" and side.geometry then kind, id = 0, {side.geometry.slot, side.geometry.generation}
+    elseif type(side) == "table" and side.part then kind, id = 1, {side.part.slot, side.part.generation}
+    elseif type(side) == "table" and side.label then kind, id = 2, {side.label, 0}
+    else core.refuse("%s is no side of a rule: {geometry = id}, {part = id}, {label = number} or 'any'", i == 1 and "a" or "b") end
+    sides[i] = ffi.new("abut_collidable")
+    core.set(sides[i], "abut_collidable", "kind", kind)
+    core.set(sides[i], "abut_collidable", "slot", id[1])
+    core.set(sides[i], "abut_collidable", "generation", id[2])
+  end
+  check(library.abut_rule_set(self.pointer, sides[1], sides[2], core.value("rule", rule)))
+end
+
 -- keeps(a, b) says whether two geometries that come near meet; nil for no filter. What it raises leaves the pair in,
 -- and comes out of the step.
 function Universe:set_filter(keeps)

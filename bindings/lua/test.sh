@@ -6,4 +6,7 @@ need luajit
 
 export LUA_PATH="$here/?.lua"
 luajit "$here/test_abut.lua"
+if [[ -e $libraries/libabut_picking.so ]]; then
+  luajit "$here/test_picking.lua"
+fi
 first_query luajit "$here/first_query.lua"

@@ -186,6 +186,32 @@ function tests.queries_find_geometries()
   equal(#universe:overlaps(point, abut.pose(0.7)), 2)
 end
 
+function tests.rules_and_why_two_are_apart()
+  local universe, parts, geometries = row(2)
+  equal(contacts_of_a_step(universe), 1)
+  equal(#universe:why_apart(geometries[1], geometries[2]), 0)
+  universe:set_rule({part = parts[1]}, "any", "disable")
+  equal(contacts_of_a_step(universe), 0)
+  equal(table.concat(universe:why_apart(geometries[1], geometries[2]), " "), "rule")
+  universe:set_rule({part = parts[1]}, "any", "none")
+  universe:set_rule({geometry = geometries[1]}, {label = 0}, "enable")
+  equal(contacts_of_a_step(universe), 1)
+  refused("ABUT_INVALID_ARGUMENT", "b is no side of a rule", universe.set_rule, universe, "any", {}, "disable")
+  refused("ABUT_INVALID_ARGUMENT", "rule is 'maybe'", universe.set_rule, universe, "any", "any", "maybe")
+end
+
+function tests.whole_numbers_that_do_not_fit_are_named()
+  local square = {-1, -1, 0, 1, -1, 0, 1, 1, 0}
+  refused("ABUT_INVALID_ARGUMENT", "triangles[3] is 4294967296", abut.mesh, square, {0, 1, 2 ^ 32})
+  refused("ABUT_INVALID_ARGUMENT", "triangles[1] is 0.5", abut.mesh, square, {0.5, 1, 2})
+  refused("ABUT_INVALID_ARGUMENT", "threads is 1.5", abut.universe, {threads = 1.5})
+  local universe, parts = row(1)
+  refused("ABUT_INVALID_ARGUMENT", "label is 4294967296", universe.add_geometry, universe, parts[1], abut.sphere(1), {label = 2 ^ 32})
+  equal(abut.kind(abut.mesh(square, {0, 1, 2}, {sides = 1})), "mesh")
+  equal(abut.kind(abut.height_field(2, 2, 1, 1, {0, 0, 0, 0})), "height_field")
+  refused("ABUT_INVALID_ARGUMENT", "heights has 3", abut.height_field, 2, 2, 1, 1, {0, 0, 0})
+end
+
 local names = {}
 for name in pairs(tests) do names[#names + 1] = name end
 table.sort(names)

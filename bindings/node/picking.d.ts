@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // abut/picking for Node: rays and the mouse against a universe, through Embree. It needs libabut_picking.
 // include/abut/picking.h is the reference of what each call does.
-import type { Hit, Pose, QueryFilter, Ray, Universe, Vector } from 'abut';
+import type { GeometryId, Hit, Pose, QueryFilter, Ray, Universe, Vector } from 'abut';
 
 export interface CameraOptions {
   /** Where it stands; with `target` it looks there. */
@@ -57,6 +57,13 @@ export class Picker {
   castRayAll(origin: Vector, direction: Vector, options?: QueryFilter & { maxDistance?: number }): Hit[];
   /** What lies under the mouse, or within `radius` pixels of it. */
   pickPixel(camera: Camera, x: number, y: number, options?: QueryFilter & { radius?: number }): Hit | null;
+  /** Chooses whether queries meet sensors, and leave out surfaces whose normal points along the ray. */
+  setFlags(flags?: { sensors?: boolean; skipsBackFaces?: boolean }): void;
+  /** Whether a ray meets anything. */
+  rayHits(origin: Vector, direction: Vector, options?: QueryFilter & { maxDistance?: number }): boolean;
+  /** Geometries of which any point lies in the rectangle from (x0, y0) to (x1, y1); with `inside`, all points. */
+  select(camera: Camera, x0: number, y0: number, x1: number, y1: number,
+    options?: QueryFilter & { inside?: boolean }): GeometryId[];
   /** One ray through the centre of each pixel, row by row from the top. */
   render(camera: Camera, filter?: QueryFilter): (Hit | null)[];
 }

@@ -87,6 +87,22 @@ export class Picker {
     return picksOf(out, 1)[0];
   }
 
+  setFlags({ sensors = false, skipsBackFaces = false } = {}) {
+    picking.abut_picker_set_flags(this.pointer, (sensors ? 1 : 0) | (skipsBackFaces ? 2 : 0));
+  }
+
+  rayHits(origin, direction, { maxDistance = Infinity, ...filter } = {}) {
+    const ray = codecs.ray.encode([{ origin, direction, maxDistance }], 'rays');
+    const out = [0];
+    picking.abut_picker_ray_hits(this.pointer, ray, options(structs.queryFilter, filter), out);
+    return out[0] === 1;
+  }
+
+  select(its, x0, y0, x1, y1, { inside = false, ...filter } = {}) {
+    return codecs.geometryId.fill((place, capacity, count) => picking.abut_picker_select_rectangle(
+      this.pointer, its.fields, x0, y0, x1, y1, inside ? 1 : 0, options(structs.queryFilter, filter), place, capacity, count), 64);
+  }
+
   render(its, filter) {
     const count = its.fields.width * its.fields.height;
     const out = codecs.hit.room(count);

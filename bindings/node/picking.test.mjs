@@ -85,3 +85,19 @@ test('pickers and universes that nobody holds are freed in any order', { skip },
   }
   assert.ok(room().picker.castRay(...along));
 });
+
+test('rectangles, sensors and rays of yes or no', { skip }, () => {
+  const { universe, picker } = room();
+  const [origin, direction] = along;
+  const camera = new Camera({ width: 16, height: 8, eye: origin, target: vector(0, 0, 0) });
+  const first = picker.castRay(...along).geometry;
+  assert.ok(picker.select(camera, 0, 0, 16, 8).some((geometry) => geometry.slot === first.slot));
+  assert.deepEqual(picker.select(camera, 0, 0, 0.25, 0.25), []);
+  assert.equal(picker.rayHits(origin, direction), true);
+  assert.equal(picker.rayHits(origin, vector(-direction.x, -direction.y, -direction.z)), false);
+  const crossings = picker.castRayAll(...along).length;
+  picker.setFlags({ skipsBackFaces: true });
+  assert.equal(picker.castRayAll(...along).length, crossings / 2);
+  assert.throws(() => picker.select(camera, '0', 0, 1, 1), /x0 is "0"; expected a number/);
+  universe.destroy();
+});

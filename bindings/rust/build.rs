@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-//! Finds libabut.so: in the folder ABUT_LIB_DIR, or else as pkg-config says.
+//! Finds libabut.so, and libabut_picking.so for the feature `picking`: in the folder ABUT_LIB_DIR, or else as pkg-config says.
 
 use std::process::Command;
 
@@ -8,6 +8,9 @@ fn main() {
     println!("cargo:rerun-if-env-changed=ABUT_LIB_DIR");
     println!("cargo:rerun-if-env-changed=PKG_CONFIG_PATH");
     println!("cargo:rustc-link-lib=dylib=abut");
+    if std::env::var_os("CARGO_FEATURE_PICKING").is_some() {
+        println!("cargo:rustc-link-lib=dylib=abut_picking");
+    }
     match std::env::var("ABUT_LIB_DIR") {
         Ok(folder) => println!("cargo:rustc-link-search=native={}", folder),
         Err(_) => search_where_pkg_config_says(),

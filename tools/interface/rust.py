@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The raw layer of Rust: what abut.h declares, as extern "C" and repr(C)."""
+"""The raw layer of Rust: what abut.h and picking.h declare, as extern "C" and repr(C)."""
 
 from header import Alias, Function, Macro, Opaque, Struct
 from layout import of_struct
 
-PATH = "bindings/rust/src/raw.rs"
+PATHS = {"abut": "bindings/rust/src/raw.rs", "picking": "bindings/rust/src/raw_picking.rs"}
 SCALARS = {"double": "f64", "uint64_t": "u64", "size_t": "usize", "uint32_t": "u32", "int32_t": "i32",
            "char": "::std::os::raw::c_char", "void": "::std::os::raw::c_void"}
 WORDS = {"type"}  # names of C that are words of Rust
@@ -62,8 +62,14 @@ def _declared(interface, item):
 
 
 def files(interface, notice):
-    header = interface.headers[0]
-    lines = ["// SPDX-License-Identifier: Apache-2.0", f"// {notice}", ""]
-    lines += [line for item in header.items for line in _declared(interface, item)]
-    lines += ['extern "C" {', *(f"    pub fn {each.name}{_signature(each)};" for each in header.functions), "}", ""]
-    return {PATH: "\n".join(lines)}
+    made = {}
+    for header in interface.headers:
+        if header.name not in PATHS:
+            continue
+        lines = ["// SPDX-License-Identifier: Apache-2.0", f"// {notice}", ""]
+        if header is not interface.headers[0]:
+            lines += ["use crate::raw::*;", ""]
+        lines += [line for item in header.items for line in _declared(interface, item)]
+        lines += ['extern "C" {', *(f"    pub fn {each.name}{_signature(each)};" for each in header.functions), "}", ""]
+        made[PATHS[header.name]] = "\n".join(lines)
+    return made

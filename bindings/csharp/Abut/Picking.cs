@@ -68,6 +68,18 @@ namespace Abut
             return Found(hit);
         }
 
+        /// <summary>Chooses whether queries meet sensors, and surfaces whose normal points along the ray.</summary>
+        public void SetFlags(PickerFlags flags) => Native.Check(Native.abut_picker_set_flags(this, flags));
+
+        /// <summary>Geometries in the rectangle with the corners (x0, y0) and (x1, y1).</summary>
+        public GeometryId[] Select(
+            Camera camera, double x0, double y0, double x1, double y1, Selection selection = Selection.Touching)
+        {
+            return Native.Filled<GeometryId>(64, (GeometryId[] place, UIntPtr capacity, out UIntPtr count) =>
+                Native.abut_picker_select_rectangle(
+                    this, ref camera, x0, y0, x1, y1, selection, null, place, capacity, out count));
+        }
+
         /// <summary>One ray through the centre of each pixel, row by row from the top. Where nothing is met the slot of the
         /// geometry is 0.</summary>
         public Hit[] Render(Camera camera)

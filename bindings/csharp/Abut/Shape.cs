@@ -44,6 +44,53 @@ namespace Abut
             return Made(Native.abut_capsule_create(radius, halfHeight, out IntPtr shape), shape);
         }
 
+        /// <summary>A solid cylinder along local Z with flat ends.</summary>
+        public static Shape Cylinder(double radius, double halfHeight)
+        {
+            return Made(Native.abut_cylinder_create(radius, halfHeight, out IntPtr shape), shape);
+        }
+
+        /// <summary>Terrain: columns * rows heights, X fastest.</summary>
+        public static Shape HeightField(uint columns, uint rows, double spacingX, double spacingY, double[] heights)
+        {
+            if (heights == null || (ulong)heights.Length != (ulong)columns * rows)
+            {
+                throw new ArgumentException(
+                    $"heights has {heights?.Length} numbers; expected columns * rows, which is {(ulong)columns * rows}");
+            }
+            Native.abut_height_field_desc_init(out HeightFieldDesc desc, (uint)Marshal.SizeOf(typeof(HeightFieldDesc)));
+            GCHandle pinned = GCHandle.Alloc(heights, GCHandleType.Pinned);
+            try
+            {
+                desc.Columns = columns;
+                desc.Rows = rows;
+                desc.SpacingX = spacingX;
+                desc.SpacingY = spacingY;
+                desc.Heights = pinned.AddrOfPinnedObject();
+                return Made(Native.abut_height_field_create(ref desc, out IntPtr shape), shape);
+            }
+            finally
+            {
+                pinned.Free();
+            }
+        }
+
+        /// <summary>Small balls of one radius.</summary>
+        public static Shape Particles(Vector[] centres, double radius)
+        {
+            return Made(Native.abut_particles_create(Numbers(centres), Count(centres), radius, out IntPtr shape), shape);
+        }
+
+        /// <summary>One shape of several, each with a pose in its frame. It keeps its children alive.</summary>
+        public static Shape Composite(Shape[] children, Pose[] poses)
+        {
+            Pair.ExpectAsMany("children", children, "poses", poses);
+            IntPtr[] pointers = Array.ConvertAll(children, child => child.handle);
+            Status status = Native.abut_composite_create(pointers, poses, Count(children), out IntPtr shape);
+            GC.KeepAlive(children);
+            return Made(status, shape);
+        }
+
         /// <summary>The half-space of the points p with dot(normal, p) at most the offset.</summary>
         public static Shape Plane(Vector normal, double offset)
         {
@@ -173,7 +220,7 @@ namespace Abut
             return Array.ConvertAll(hits, hit => double.IsInfinity(hit.Fraction) ? (CastHit?)null : hit);
         }
 
-        private static void ExpectAsMany(string nameA, Array a, string nameB, Array b)
+        internal static void ExpectAsMany(string nameA, Array a, string nameB, Array b)
         {
             if (a.Length != b.Length)
             {

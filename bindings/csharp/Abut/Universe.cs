@@ -55,6 +55,33 @@ namespace Abut
             return geometry;
         }
 
+        /// <summary>The same with options; begin with GeometryOptions.Default.</summary>
+        public GeometryId AddGeometry(PartId part, Shape shape, GeometryOptions options)
+        {
+            Native.Check(Native.abut_geometry_create(this, part, shape, new[] { options }, out GeometryId geometry));
+            return geometry;
+        }
+
+        /// <summary>Destroys a geometry.</summary>
+        public void RemoveGeometry(GeometryId geometry) => Native.Check(Native.abut_geometry_destroy(this, geometry));
+
+        /// <summary>Where a part is.</summary>
+        public Pose Pose(PartId part)
+        {
+            Native.Check(Native.abut_part_pose(this, part, out Pose pose));
+            return pose;
+        }
+
+        /// <summary>Places parts, all or none.</summary>
+        public void SetPoses(PartId[] parts, Pose[] poses)
+        {
+            Pair.ExpectAsMany("parts", parts, "poses", poses);
+            Native.Check(Native.abut_parts_set_poses(this, parts, poses, (UIntPtr)(uint)parts.Length));
+        }
+
+        /// <summary>Makes queries see the present poses, without looking for contacts. A step does that as well.</summary>
+        public void Refresh() => Native.Check(Native.abut_universe_refresh(this));
+
         /// <summary>Parks a geometry, or brings it back. A filter may do that, too.</summary>
         public void Park(GeometryId geometry, Parking parking)
         {
@@ -144,12 +171,39 @@ namespace Abut
         }
 
         /// <summary>The first geometry that a ray meets; null for none. It sees poses as of the last step.</summary>
-        public Hit? CastRay(Vector origin, Vector direction, double maxDistance = double.PositiveInfinity)
+        public Hit? CastRay(
+            Vector origin, Vector direction, double maxDistance = double.PositiveInfinity, QueryFilter? filter = null)
         {
-            var ray = new Ray { Origin = origin, Direction = direction, MaxDistance = maxDistance };
-            var hits = new Hit[1];
-            Native.Check(Native.abut_universe_cast_rays(this, new[] { ray }, (UIntPtr)1u, null, hits));
-            return hits[0].Geometry.Slot != 0 ? hits[0] : (Hit?)null;
+            return CastRays(
+                new[] { new Ray { Origin = origin, Direction = direction, MaxDistance = maxDistance } }, filter)[0];
         }
+
+        /// <summary>The first geometry that each of many rays meets.</summary>
+        public Hit?[] CastRays(Ray[] rays, QueryFilter? filter = null)
+        {
+            var hits = new Hit[rays.Length];
+            Native.Check(Native.abut_universe_cast_rays(this, rays, (UIntPtr)(uint)rays.Length, Given(filter), hits));
+            return Array.ConvertAll(hits, hit => hit.Geometry.Slot != 0 ? hit : (Hit?)null);
+        }
+
+        /// <summary>The first geometry that a shape meets while it moves by a displacement; null for none.</summary>
+        public CastHit? CastShape(Shape shape, Pose pose, Vector displacement, QueryFilter? filter = null)
+        {
+            var hits = new CastHit[1];
+            Native.Check(Native.abut_universe_cast_shape(this, shape, ref pose, ref displacement, Given(filter),
+                HitMode.Nearest, hits, (UIntPtr)1u, out UIntPtr count));
+            return (ulong)count > 0 ? hits[0] : (CastHit?)null;
+        }
+
+        /// <summary>The geometry nearest to a shape; null where none is as near as the distance.</summary>
+        public Closest? Closest(
+            Shape shape, Pose pose, double maxDistance = double.PositiveInfinity, QueryFilter? filter = null)
+        {
+            Native.Check(Native.abut_universe_closest(
+                this, shape, ref pose, maxDistance, Given(filter), out Closest closest, out uint found));
+            return found == 1 ? closest : (Closest?)null;
+        }
+
+        private static QueryFilter[] Given(QueryFilter? filter) => filter.HasValue ? new[] { filter.Value } : null;
     }
 }

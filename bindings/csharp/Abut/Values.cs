@@ -35,4 +35,32 @@ namespace Abut
             Orientation = new Quaternion { W = 1 };
         }
     }
+
+    public partial struct GeometryOptions
+    {
+        /// <summary>What a geometry has where nothing else is said.</summary>
+        public static GeometryOptions Default
+        {
+            get
+            {
+                Native.abut_geometry_options_init(
+                    out GeometryOptions options, (uint)System.Runtime.InteropServices.Marshal.SizeOf(typeof(GeometryOptions)));
+                return options;
+            }
+        }
+    }
+
+    public partial struct QueryFilter
+    {
+        /// <summary>A filter that keeps all.</summary>
+        public static QueryFilter All
+        {
+            get
+            {
+                Native.abut_query_filter_init(
+                    out QueryFilter filter, (uint)System.Runtime.InteropServices.Marshal.SizeOf(typeof(QueryFilter)));
+                return filter;
+            }
+        }
+    }
 }

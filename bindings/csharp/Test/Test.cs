@@ -81,6 +81,13 @@ namespace Abut
             Equal("plane", Shape.Plane(new Vector(0, 0, 2), 0).Kind);
             Equal("hull", Shape.Hull(square).Kind);
             Equal("mesh", Shape.Mesh(square, new uint[] { 0, 1, 2, 0, 2, 3 }).Kind);
+            Equal("cylinder", Shape.Cylinder(0.5, 2).Kind);
+            Equal("height_field", Shape.HeightField(2, 2, 1, 1, new double[4]).Kind);
+            Equal("particles", Shape.Particles(square, 0.1).Kind);
+            Shape ball = Shape.Sphere(1);
+            Equal("composite", Shape.Composite(new[] { ball, ball }, new[] { Here, Here }).Kind);
+            Throws<ArgumentException>("heights has 3", () => Shape.HeightField(2, 2, 1, 1, new double[3]));
+            Throws<ArgumentException>("poses has 0", () => Shape.Composite(new[] { ball }, new Pose[0]));
             Equal("cone", Shape.OfKind("cone", 1, 2).Kind);
         }
 
@@ -162,6 +169,35 @@ namespace Abut
             }
         }
 
+        private static void QueriesSeeTheUniverse()
+        {
+            // Balls of radius 1, each 1.5 from the next.
+            using (Universe universe = Row(3, out PartId[] parts, out GeometryId[] geometries))
+            {
+                universe.Refresh();
+                Shape ball = Shape.Sphere(1);
+                Vector from = new Vector(-9, 0, 0), along = new Vector(1, 0, 0);
+                Equal(geometries[0], universe.CastRay(from, along).Value.Geometry);
+                Equal(false, universe.CastRay(from, along, 2).HasValue);
+                QueryFilter filter = QueryFilter.All;
+                filter.IgnorePart = parts[0];
+                Equal(geometries[1], universe.CastRay(from, along, filter: filter).Value.Geometry);
+                Pose at = Here;
+                at.Position = new Vector(-6, 0, 0);
+                Equal(0.5, universe.CastShape(ball, at, new Vector(8, 0, 0)).Value.Fraction);
+                Equal(4.0, universe.Closest(ball, at).Value.Distance.Value);
+                Equal(false, universe.Closest(ball, at, 1).HasValue);
+                Throws<AbutException>("max_distance is", () => universe.Closest(ball, at, -1));
+                GeometryOptions options = GeometryOptions.Default;
+                options.Tolerance = -1;
+                Throws<AbutException>("tolerance is -1", () => universe.AddGeometry(parts[0], ball, options));
+                universe.SetPoses(parts, new[] { at, at, at });
+                Equal(-6.0, universe.Pose(parts[2]).Position.X);
+                Throws<ArgumentException>("poses has 0", () => universe.SetPoses(parts, new Pose[0]));
+                universe.RemoveGeometry(geometries[0]);
+            }
+        }
+
         private static void PickersSeeRaysAndPixels()
         {
             Universe universe = Row(1, out PartId[] parts, out GeometryId[] geometries);
@@ -175,6 +211,8 @@ namespace Abut
                 camera.LookAt(from, new Vector(0, 0, 0), new Vector(0, 0, 1));
                 Equal(geometries[0], picker.PickPixel(camera, 8, 4).Value.Geometry);
                 Equal(false, picker.PickPixel(camera, 0.5, 0.5).HasValue);
+                Equal(geometries[0], picker.Select(camera, 0, 0, 16, 8, Selection.Inside).Single());
+                Equal(0, picker.Select(camera, 0, 0, 1, 1).Length);
                 // Seen from five radii the ball is 3 pixels wide: it covers the centres of the middle four.
                 Equal(4, picker.Render(camera).Count(hit => hit.Geometry.Slot != 0));
                 universe.SetPose(parts[0], new Pose(0, 9, 0));
@@ -231,6 +269,7 @@ namespace Abut
             {
                 StructsAreThoseOfTheLibrary, EveryKindCanBeMade, BadInputIsNamed, TwoShapes, BatchesAreThoseOfEachPair,
                 StepsFindContactsAndEvents, FiltersAreAskedAndMayParkAndThrow, TheUniverseTellsWhyTwoAreApart,
+                QueriesSeeTheUniverse,
             };
             if (arguments.Length > 0)
             {

@@ -6,7 +6,9 @@
 //! change nothing and answer an [`Error`], which names the argument and the value. [`Shape`] and [`Universe`] may go to
 //! other threads. Threads may share both: what changes a universe needs it for itself (`&mut`).
 //!
-//! What is not wrapped is in [`raw`], the C interface as bindgen reads it from abut.h.
+//! The feature `picking` adds `picking`: rays and the mouse through Embree, by a library of its own.
+//!
+//! What is not wrapped is in [`raw`], all of abut.h.
 #![deny(missing_docs, unsafe_op_in_unsafe_fn)]
 
 mod contact;
@@ -24,9 +26,17 @@ mod universe;
 mod value;
 mod view;
 
+/// Rays and the mouse against a universe, through Embree.
+#[cfg(feature = "picking")]
+pub mod picking;
+
 /// The C interface; include/abut/abut.h describes each name.
 #[allow(missing_docs, non_camel_case_types, non_upper_case_globals)]
 pub mod raw;
+/// The C interface of the picking library; include/abut/picking.h describes each name.
+#[cfg(feature = "picking")]
+#[allow(missing_docs, non_camel_case_types, non_upper_case_globals)]
+pub mod raw_picking;
 
 pub use contact::{Contact, Distance, Event, EventKind};
 pub use error::{Error, Result, Status};
