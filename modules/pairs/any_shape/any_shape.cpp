@@ -135,6 +135,18 @@ std::optional<Triangles> triangles_of(const AnyShape& shape) {
       shape);
 }
 
+HeldTriangles held_triangles(const AnyShape& shape) {
+  return std::visit(
+      []<class S>(const S& s) -> HeldTriangles {
+        if constexpr (requires { HeldTriangles{s.vertices(), s.indices()}; }) {
+          return {s.vertices(), s.indices()};
+        } else {
+          return {};
+        }
+      },
+      shape);
+}
+
 std::span<const std::uint32_t> materials_of_children(const AnyShape& shape) {
   return std::visit(
       []<class S>(const S& s) -> std::span<const std::uint32_t> {
