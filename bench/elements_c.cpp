@@ -8,6 +8,7 @@
 // published ones.
 #include <abut/abut.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <cstdio>
@@ -65,6 +66,42 @@ Counts counts_of(const std::vector<Value>& all) {
   return counts;
 }
 
+// All vertices of the mesh move, whose tree is there: by a copy, and by an exchange. The least of several times.
+void run_moves(const abut_bench::ClothFrame& now, const abut_bench::ClothFrame& next) {
+  abut_universe* universe = nullptr;
+  require(abut_universe_create(nullptr, &universe));
+  abut_shape* mesh = nullptr;
+  require(abut_mesh_create(now.xyz.data(), now.xyz.size() / 3, now.triangles.data(), now.triangles.size() / 3, nullptr,
+                           &mesh));
+  abut_part_id part{};
+  require(abut_part_create(universe, nullptr, &part));
+  abut_geometry_id cloth{};
+  require(abut_geometry_create(universe, part, mesh, nullptr, &cloth));
+  abut_shape_release(mesh);
+  require(abut_geometry_shape(universe, cloth, &mesh));
+  require(abut_shape_prepare(mesh, 1));
+  abut_shape_release(mesh);
+  double by_copy = std::numeric_limits<double>::infinity(), by_exchange = by_copy;
+  for (int run = 0; run < 20; ++run) {
+    const std::vector<double>& xyz = run % 2 == 0 ? next.xyz : now.xyz;
+    const double start = processor_milliseconds();
+    require(abut_geometry_set_vertices(universe, cloth, 0, xyz.data(), xyz.size() / 3));
+    by_copy = std::fmin(by_copy, processor_milliseconds() - start);
+  }
+  for (int run = 0; run < 20; ++run) {
+    const std::vector<double>& xyz = run % 2 == 0 ? next.xyz : now.xyz;
+    double* lent = nullptr;
+    std::size_t count = 0;
+    require(abut_geometry_next_vertices(universe, cloth, &lent, &count));
+    std::copy(xyz.begin(), xyz.end(), lent);
+    const double start = processor_milliseconds();
+    require(abut_geometry_advance(universe, cloth));
+    by_exchange = std::fmin(by_exchange, processor_milliseconds() - start);
+  }
+  std::printf("move all and fit the tree    %7.2f ms by a copy, %.2f by an exchange\n", by_copy, by_exchange);
+  abut_universe_destroy(universe);
+}
+
 // The same step by a universe in which the cloth is fast, and then steps of the cloth at rest.
 bool run_in_universe(const abut_bench::ClothFrame& now, const abut_bench::ClothFrame& next, std::uint32_t threads) {
   abut_universe_options options;
@@ -116,6 +153,7 @@ bool run_in_universe(const abut_bench::ClothFrame& now, const abut_bench::ClothF
 bool run(const std::string& folder) {
   const auto now = abut_bench::read_cloth_frame(folder + "/cloth_ball92.ply");
   const auto next = abut_bench::read_cloth_frame(folder + "/cloth_ball93.ply");
+  run_moves(now, next);
   abut_shape* mesh = nullptr;
   abut_elements* elements = nullptr;
   require(abut_mesh_create(now.xyz.data(), now.xyz.size() / 3, now.triangles.data(), now.triangles.size() / 3, nullptr,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // What fast geometries touch on their paths.
 #include "options.hpp"
+#include "shape_change.hpp"
 #include "universe_handle.hpp"
 
 import abut.core;
@@ -40,11 +41,17 @@ abut_status abut_universe_advance_to_first_impact(abut_universe* universe, doubl
     if (const abut_status status = check_not_null("out", out); status != ABUT_OK) {
       return status;
     }
-    const auto first = its.universe.advance_to_first_impact(dt);
-    if (!first) {
-      return refuse(first.error());
+    std::vector<abut_geometry_id> leading;
+    for (const abut::GeometryId geometry : its.universe.geometries_that_lead()) {
+      leading.push_back(from_geometry(geometry));
     }
-    *out = from_impact(first.value());
-    return abut_status{ABUT_OK};
+    return change_shapes(its, leading, [&]() -> abut::Result<void> {
+      const auto first = its.universe.advance_to_first_impact(dt);
+      if (!first) {
+        return first.error();
+      }
+      *out = from_impact(first.value());
+      return {};
+    });
   });
 }

@@ -1,61 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
 // Shapes that change while geometries have them.
 #include "border.hpp"
-#include "shape_handle.hpp"
+#include "shape_change.hpp"
 #include "universe_handle.hpp"
 
 import abut.capability;
 import abut.core;
+import abut.math;
+import abut.pairs.any_shape;
+import abut.pairs.any_shape.shape_edit;
 import abut.universe;
 
 using namespace abut::capi;
 
 namespace {
-
-// A universe changes a shape in place when nobody else holds it. For the time of a change, handles that only the
-// universe holds let go of their shapes. Those that the caller holds as well keep theirs, and others take their place
-// when all went well.
-template <class Change>
-abut_status change_shapes(abut_universe& its, std::span<const abut_geometry_id> ids, Change&& change) {
-  std::vector<std::uint32_t> let_go;
-  std::vector<std::pair<std::uint32_t, ShapeOwner>> others;
-  let_go.reserve(ids.size());
-  for (const abut_geometry_id& id : ids) {
-    if (its.shapes[id.slot - 1]->references.load(std::memory_order_acquire) == 1) {
-      let_go.push_back(id.slot - 1);
-    } else {
-      ShapeOwner other(std::make_unique<abut_shape>(its.universe.vacant_shape()).release());
-      others.emplace_back(id.slot - 1, std::move(other));
-    }
-  }
-  const auto take_back = [&] {
-    for (const std::uint32_t place : let_go) {
-      its.shapes[place]->handle = its.universe.handle_at(place);
-    }
-  };
-  for (const std::uint32_t place : let_go) {
-    its.shapes[place]->handle = its.universe.vacant_shape();
-  }
-  try {
-    const abut::Result<void> done = std::forward<Change>(change)();
-    take_back();
-    if (!done) {
-      return refuse(done.error());
-    }
-  } catch (...) {
-    take_back();
-    // Copies may have been made for the change.
-    for (const auto& [place, unused] : others) {
-      its.universe.put_back(place, its.shapes[place]->handle);
-    }
-    throw;
-  }
-  for (auto& [place, handle] : others) {
-    handle->handle = its.universe.handle_at(place);
-    its.shapes[place] = std::move(handle);
-  }
-  return ABUT_OK;
-}
 
 abut_status edit_one(abut_universe& its, const abut_geometry_id& geometry, const abut::Edit& edit) {
   if (!exists(its.universe, geometry)) {
@@ -71,6 +29,22 @@ abut_status edit_all(abut_universe& its, std::span<const abut_geometry_id> ids, 
     }
   }
   return change_shapes(its, ids, [&] { return its.universe.edit_shapes(to_geometries(ids), edits); });
+}
+
+// The first of three numbers for each of these.
+template <class Vertex>
+auto numbers_of(std::span<Vertex> vertices) {
+  static_assert(sizeof(abut::Vec3) == 3 * sizeof(double));
+  return vertices.empty() ? nullptr : &vertices.front().x;
+}
+
+abut_status advance_all(abut_universe& its, std::span<const abut_geometry_id> ids) {
+  for (std::size_t i = 0; i < ids.size(); ++i) {
+    if (!exists(its.universe, ids[i])) {
+      return refuse_stale({"geometries", i}, ids[i]);
+    }
+  }
+  return change_shapes(its, ids, [&] { return its.universe.advance_vertices(to_geometries(ids)); });
 }
 
 abut_status set_parameters(abut_universe& its, std::span<const abut_geometry_id> ids, const double* parameters,
@@ -177,6 +151,62 @@ abut_status abut_geometry_set_vertices_at(abut_universe* universe, abut_geometry
     std::span<const std::uint32_t> given;
     const abut_status status = read_span("vertices", vertices, "count", count, given);
     return status != ABUT_OK ? status : set_vertices(its, geometry, {0, given, {}}, xyz, count);
+  });
+}
+
+abut_status abut_geometry_vertices(const abut_universe* universe, abut_geometry_id geometry, const double** xyz,
+                                   size_t* count) {
+  return guard(universe, [&](const abut_universe& its) {
+    const abut_status status = check_none_null<2>({{{"xyz", xyz}, {"count", count}}});
+    if (status == ABUT_OK && !exists(its.universe, geometry)) {
+      return refuse_stale({"geometry"}, geometry);
+    }
+    if (status == ABUT_OK) {
+      const abut::AnyShape& shape = its.universe.shape_at(geometry.slot - 1);
+      if (const abut::Fault fault = abut::check_next_vertices(shape, {})) {
+        return refuse(*fault);
+      }
+      const std::span<const abut::Vec3> lent = abut::held_triangles(shape).vertices;
+      *xyz = numbers_of(lent);
+      *count = lent.size();
+    }
+    return status;
+  });
+}
+
+abut_status abut_geometry_next_vertices(abut_universe* universe, abut_geometry_id geometry, double** xyz,
+                                        size_t* count) {
+  return guard(universe, [&](abut_universe& its) {
+    const abut_status status = check_none_null<2>({{{"xyz", xyz}, {"count", count}}});
+    if (status == ABUT_OK && !exists(its.universe, geometry)) {
+      return refuse_stale({"geometry"}, geometry);
+    }
+    if (status == ABUT_OK) {
+      const auto lent = its.universe.lend_next_vertices(to_geometry(geometry));
+      if (!lent) {
+        return refuse(lent.error());
+      }
+      *xyz = numbers_of(lent.value());
+      *count = lent.value().size();
+    }
+    return status;
+  });
+}
+
+abut_status abut_geometry_advance(abut_universe* universe, abut_geometry_id geometry) {
+  return guard(universe, [&](abut_universe& its) {
+    return !exists(its.universe, geometry) ? refuse_stale({"geometry"}, geometry)
+                                           : change_shapes(its, std::array{geometry}, [&] {
+                                               return its.universe.advance_vertices(to_geometry(geometry));
+                                             });
+  });
+}
+
+abut_status abut_geometries_advance(abut_universe* universe, const abut_geometry_id* geometries, size_t count) {
+  return guard(universe, [&](abut_universe& its) {
+    std::span<const abut_geometry_id> ids;
+    const abut_status status = read_span("geometries", geometries, "count", count, ids);
+    return status != ABUT_OK ? status : advance_all(its, ids);
   });
 }
 

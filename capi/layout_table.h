@@ -400,12 +400,14 @@
   FIELD(abut_step_impact, contact_count, 36, 4) \
   FIELD(abut_step_impact, is_undecided, 40, 4) \
   FIELD(abut_step_impact, reserved, 44, 4) \
-  TYPE(abut_element_contact, 136) \
+  TYPE(abut_element_contact, 144) \
   FIELD(abut_element_contact, geometry_a, 0, 8) \
   FIELD(abut_element_contact, geometry_b, 8, 8) \
   FIELD(abut_element_contact, stencil, 16, 104) \
   FIELD(abut_element_contact, gap, 120, 8) \
   FIELD(abut_element_contact, id, 128, 8) \
+  FIELD(abut_element_contact, age, 136, 4) \
+  FIELD(abut_element_contact, reserved, 140, 4) \
   TYPE(abut_query_filter, 48) \
   FIELD(abut_query_filter, struct_size, 0, 4) \
   FIELD(abut_query_filter, flags, 4, 4) \

@@ -18,6 +18,7 @@ static_assert(static_cast<abut_tolerance_mode>(abut::ToleranceMode::margin) == A
 static_assert(static_cast<abut_event_bits>(abut::event_pairs) == ABUT_EVENTS_PAIRS);
 static_assert(static_cast<abut_event_bits>(abut::event_persist) == ABUT_EVENTS_PERSIST);
 static_assert(static_cast<abut_event_bits>(abut::event_contacts) == ABUT_EVENTS_CONTACTS);
+static_assert(static_cast<abut_event_bits>(abut::event_elements) == ABUT_EVENTS_ELEMENTS);
 
 namespace {
 
@@ -40,9 +41,10 @@ abut_status check_options(const abut_universe_options& options) {
       status != ABUT_OK ? status : check_value(where, ".tolerance_mode", options.tolerance_mode, ABUT_TOLERANCE_MARGIN);
   status = status != ABUT_OK ? status : check_position(where, ".origin", options.origin);
   status = status != ABUT_OK ? status : check_threads(options.threads);
-  status = status != ABUT_OK ? status
-                             : check_bits(where, ".events", options.events,
-                                          ABUT_EVENTS_PAIRS | ABUT_EVENTS_PERSIST | ABUT_EVENTS_CONTACTS);
+  status = status != ABUT_OK
+               ? status
+               : check_bits(where, ".events", options.events,
+                            ABUT_EVENTS_PAIRS | ABUT_EVENTS_PERSIST | ABUT_EVENTS_CONTACTS | ABUT_EVENTS_ELEMENTS);
   return status != ABUT_OK
              ? status
              : check_bits(where, ".flags", options.flags, ABUT_UNIVERSE_LOCAL_POINTS | ABUT_UNIVERSE_WELDS);

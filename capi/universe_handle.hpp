@@ -26,11 +26,17 @@ class Lent {
 
   template <class Found, class Convert>
   [[nodiscard]] std::span<const Value> get(std::span<const Found> found, Convert&& convert) const {
+    return get_filled(found.size(),
+                      [&](std::span<Value> out) { std::transform(found.begin(), found.end(), out.begin(), convert); });
+  }
+  // fill(values) writes them all.
+  template <class Fill>
+  [[nodiscard]] std::span<const Value> get_filled(std::size_t count, Fill&& fill) const {
     if (!is_current_.load(std::memory_order_acquire)) {
       const std::scoped_lock lock(mutex_);
       if (!is_current_.load(std::memory_order_relaxed)) {
-        values_.resize(found.size());
-        std::transform(found.begin(), found.end(), values_.begin(), convert);
+        values_.resize(count);
+        fill(std::span<Value>(values_));
         is_current_.store(true, std::memory_order_release);
       }
     }

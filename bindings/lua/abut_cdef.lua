@@ -180,7 +180,7 @@ enum abut_broadphase_value { ABUT_BROADPHASE_AUTO = 0, ABUT_BROADPHASE_BRUTE = 1
 typedef uint32_t abut_tolerance_mode;
 enum abut_tolerance_mode_value { ABUT_TOLERANCE_DEAD_BAND = 0, ABUT_TOLERANCE_MARGIN = 1 };
 typedef uint32_t abut_event_bits;
-enum abut_event_bits_value { ABUT_EVENTS_PAIRS = 1, ABUT_EVENTS_PERSIST = 2, ABUT_EVENTS_CONTACTS = 4 };
+enum abut_event_bits_value { ABUT_EVENTS_PAIRS = 1, ABUT_EVENTS_PERSIST = 2, ABUT_EVENTS_CONTACTS = 4, ABUT_EVENTS_ELEMENTS = 8 };
 typedef uint32_t abut_universe_flags;
 enum abut_universe_flags_value { ABUT_UNIVERSE_LOCAL_POINTS = 1, ABUT_UNIVERSE_WELDS = 2 };
 typedef struct abut_universe_options { uint32_t struct_size; abut_broadphase broadphase; abut_tolerance_mode tolerance_mode; uint32_t max_contacts; abut_vec3 origin; uint32_t threads; abut_event_bits events; abut_universe_flags flags; uint32_t max_pair_contacts; } abut_universe_options;
@@ -239,6 +239,10 @@ abut_status abut_geometry_set_field_lattice(abut_universe *universe, abut_geomet
 abut_status abut_geometry_set_particles(abut_universe *universe, abut_geometry_id geometry, size_t first, const double *xyz, const double *radii, size_t count);
 abut_status abut_geometry_set_vertices(abut_universe *universe, abut_geometry_id geometry, size_t first, const double *xyz, size_t count);
 abut_status abut_geometry_set_vertices_at(abut_universe *universe, abut_geometry_id geometry, const uint32_t *vertices, const double *xyz, size_t count);
+abut_status abut_geometry_vertices(const abut_universe *universe, abut_geometry_id geometry, const double **xyz, size_t *count);
+abut_status abut_geometry_next_vertices(abut_universe *universe, abut_geometry_id geometry, double **xyz, size_t *count);
+abut_status abut_geometry_advance(abut_universe *universe, abut_geometry_id geometry);
+abut_status abut_geometries_advance(abut_universe *universe, const abut_geometry_id *geometries, size_t count);
 abut_status abut_geometry_remove_triangles(abut_universe *universe, abut_geometry_id geometry, const uint32_t *triangles, size_t count);
 abut_status abut_geometry_set_mesh(abut_universe *universe, abut_geometry_id geometry, const double *xyz, size_t vertex_count, const uint32_t *triangles, size_t triangle_count);
 abut_status abut_geometry_shape(const abut_universe *universe, abut_geometry_id geometry, abut_shape **out);
@@ -289,7 +293,7 @@ abut_status abut_universe_refresh(abut_universe *universe);
 typedef uint32_t abut_event_kind;
 enum abut_event_kind_value { ABUT_EVENT_BEGIN = 0, ABUT_EVENT_PERSIST = 1, ABUT_EVENT_END = 2 };
 typedef uint32_t abut_event_flags;
-enum abut_event_flags_value { ABUT_EVENT_SENSOR = 1, ABUT_EVENT_CONTACT = 2, ABUT_EVENT_ASLEEP = 4 };
+enum abut_event_flags_value { ABUT_EVENT_SENSOR = 1, ABUT_EVENT_CONTACT = 2, ABUT_EVENT_ASLEEP = 4, ABUT_EVENT_ELEMENTS = 8 };
 typedef struct abut_event { abut_event_kind kind; abut_event_flags flags; abut_geometry_id geometry_a; abut_geometry_id geometry_b; uint64_t contact_id; uint32_t first_contact; uint32_t contact_count; } abut_event;
 abut_status abut_universe_events(const abut_universe *universe, const abut_event **events, size_t *count);
 typedef struct abut_sleep_change { abut_part_id part; uint32_t is_asleep; uint32_t reserved; } abut_sleep_change;
@@ -332,7 +336,7 @@ abut_status abut_parts_accelerations(const abut_universe *universe, const abut_p
 typedef struct abut_step_impact { abut_geometry_id geometry_a; abut_geometry_id geometry_b; double lower; double upper; uint32_t first_contact; uint32_t contact_count; uint32_t is_undecided; uint32_t reserved; } abut_step_impact;
 abut_status abut_universe_impacts(const abut_universe *universe, const abut_step_impact **impacts, size_t *count);
 abut_status abut_universe_advance_to_first_impact(abut_universe *universe, double dt, abut_step_impact *out);
-typedef struct abut_element_contact { abut_geometry_id geometry_a; abut_geometry_id geometry_b; abut_stencil stencil; double gap; uint64_t id; } abut_element_contact;
+typedef struct abut_element_contact { abut_geometry_id geometry_a; abut_geometry_id geometry_b; abut_stencil stencil; double gap; uint64_t id; uint32_t age; uint32_t reserved; } abut_element_contact;
 abut_status abut_universe_element_contacts(const abut_universe *universe, const abut_element_contact **contacts, size_t *count);
 abut_status abut_universe_attach(const abut_universe *universe, const char *name);
 abut_status abut_universe_detach(const abut_universe *universe, const char *name);

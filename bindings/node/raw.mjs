@@ -113,7 +113,7 @@ const acceleration = koffi.struct('abut_acceleration', { linear: vector, angular
 const stepImpact = koffi.struct('abut_step_impact', { geometryA: geometryId, geometryB: geometryId, lower: 'double',
   upper: 'double', firstContact: 'uint32_t', contactCount: 'uint32_t', isUndecided: 'uint32_t', reserved: 'uint32_t' });
 const elementContact = koffi.struct('abut_element_contact', { geometryA: geometryId, geometryB: geometryId,
-  stencil: stencil, gap: 'double', id: 'uint64_t' });
+  stencil: stencil, gap: 'double', id: 'uint64_t', age: 'uint32_t', reserved: 'uint32_t' });
 const queryFilter = koffi.struct('abut_query_filter', { structSize: 'uint32_t', flags: 'uint32_t', layers: 'uint64_t',
   mask: 'uint64_t', ignorePart: partId, ignoreGeometry: geometryId, rayStart: 'uint32_t', reserved: 'uint32_t' });
 const hit = koffi.struct('abut_query_hit', { geometry: geometryId, feature: feature, child: 'uint32_t',
@@ -337,6 +337,10 @@ export const prototypes = {
     'int32_t abut_geometry_set_particles(abut_universe *universe, abut_geometry_id geometry, size_t first, const double *xyz, const double *radii, size_t count)',
     'int32_t abut_geometry_set_vertices(abut_universe *universe, abut_geometry_id geometry, size_t first, const double *xyz, size_t count)',
     'int32_t abut_geometry_set_vertices_at(abut_universe *universe, abut_geometry_id geometry, const uint32_t *vertices, const double *xyz, size_t count)',
+    'int32_t abut_geometry_vertices(abut_universe *universe, abut_geometry_id geometry, _Out_ void **xyz, _Out_ size_t *count)',
+    'int32_t abut_geometry_next_vertices(abut_universe *universe, abut_geometry_id geometry, _Out_ void **xyz, _Out_ size_t *count)',
+    'int32_t abut_geometry_advance(abut_universe *universe, abut_geometry_id geometry)',
+    'int32_t abut_geometries_advance(abut_universe *universe, const abut_geometry_id *geometries, size_t count)',
     'int32_t abut_geometry_remove_triangles(abut_universe *universe, abut_geometry_id geometry, const uint32_t *triangles, size_t count)',
     'int32_t abut_geometry_set_mesh(abut_universe *universe, abut_geometry_id geometry, const double *xyz, size_t vertex_count, const uint32_t *triangles, size_t triangle_count)',
     'int32_t abut_geometry_shape(abut_universe *universe, abut_geometry_id geometry, _Out_ abut_shape **out)',

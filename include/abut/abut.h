@@ -41,7 +41,8 @@
  *      - itself: abut_universe_create, abut_universe_destroy, abut_universe_save, abut_universe_load
  *      - parts: abut_part_create, abut_part_set_pose, abut_part_set_motion, abut_part_set_sleep
  *      - geometries: abut_geometry_create, abut_geometry_set_options, abut_geometry_park
- *      - shapes that change: abut_geometry_set_shape, abut_geometry_set_parameters, abut_geometry_set_vertices
+ *      - shapes that change: abut_geometry_set_shape, abut_geometry_set_parameters, abut_geometry_set_vertices,
+ *        abut_geometry_next_vertices, abut_geometry_advance
  *      - who meets whom: abut_rule_set, abut_universe_set_filter
  *      - how: abut_policy_set, abut_universe_set_focus, abut_material_pair_set
  *      - steps: abut_universe_step, abut_universe_detect_all, abut_universe_refresh
@@ -839,8 +840,8 @@ typedef struct abut_route {
  * The measured routes of two kinds, in either order, and which of them a time budget takes, by count-then-fill:
  *  - with a time budget alone: of the routes that fit, the one with the least worst error, and the cheapest of equals;
  *    if none fits, the cheapest of all, which then has no ABUT_ROUTE_IN_TIME;
- *  - with an error bound as well: the cheapest whose worst error keeps the bound, whether or not it fits the budget. The
- *    error bound stays that of the options, and holds for each pair. If none keeps it, nothing is chosen;
+ *  - with an error bound as well: the cheapest whose worst error keeps the bound, whether or not it fits the budget.
+ *    The error bound stays that of the options, and holds for each pair. If none keeps it, nothing is chosen;
  *  - without a time budget, with another algorithm than ABUT_ALGORITHM_AUTO, and for pairs without routes, nothing is
  *    chosen: the options are taken as they are.
  * Routes are there for spheres, capsules, boxes, cylinders, cones, ellipsoids and hulls of 32 points. Results depend on
@@ -1411,7 +1412,8 @@ typedef uint32_t abut_event_bits;
 enum abut_event_bits_value ABUT_ENUM(uint32_t) {
   ABUT_EVENTS_PAIRS = 1,   /**< pairs that begin and end to touch */
   ABUT_EVENTS_PERSIST = 2, /**< also those that still touch */
-  ABUT_EVENTS_CONTACTS = 4 /**< the same of each contact */
+  ABUT_EVENTS_CONTACTS = 4, /**< the same of each contact */
+  ABUT_EVENTS_ELEMENTS = 8  /**< the same of each element contact */
 };
 
 /** Bits of the flags of a universe. */
@@ -1810,6 +1812,50 @@ ABUT_API abut_status abut_geometry_set_vertices_at(abut_universe *universe, abut
                                                    const uint32_t *vertices, const double *xyz, size_t count);
 
 /**
+ * Lends the vertices of the mesh or the uv_grid of a geometry, as they are now. Borrowed until the next [exclusive]
+ * call.
+ * @param xyz    3 numbers for each vertex, in the frame of the shape
+ * @param count  how many vertices there are
+ * ABUT_UNSUPPORTED for other kinds. Complexity O(1). [const]
+ */
+ABUT_API abut_status abut_geometry_vertices(const abut_universe *universe, abut_geometry_id geometry,
+                                            const double **xyz, size_t *count);
+
+/**
+ * Lends memory for the next vertices of the mesh or the uv_grid of a geometry: the caller writes where they move to,
+ * and abut_geometry_advance brings them there without a copy. At first it holds the present vertices, after an advance
+ * those before it: so write all of them. Each geometry has memory of its own, also where geometries share a shape.
+ *
+ * The memory is there until the geometry advances, is destroyed, or gets another shape or mesh. All other calls leave
+ * it as it is. Do not write while another call on the universe runs. A call with the memory already lent lends the same
+ * again. A step with time looks at it where the geometry is fast (ABUT_GEOMETRY_FAST): see the section on element
+ * contacts. Otherwise nothing looks at it before the advance. A saved universe does not hold it.
+ * @param xyz    3 numbers for each vertex, in the frame of the shape
+ * @param count  how many vertices there are
+ * ABUT_UNSUPPORTED for other kinds. Complexity O(vertices) for the first call, then O(log lent geometries). [exclusive]
+ */
+ABUT_API abut_status abut_geometry_next_vertices(abut_universe *universe, abut_geometry_id geometry, double **xyz,
+                                                 size_t *count);
+
+/**
+ * The next vertices of a geometry, which abut_geometry_next_vertices has lent, become the present ones: the two arrays
+ * are exchanged. All else is as after abut_geometry_set_vertices for all vertices.
+ *
+ * Nothing changes where a number is not finite or too large (ABUT_NOT_FINITE, ABUT_OUT_OF_RANGE; `next[7]` is the
+ * second coordinate of the third vertex), nor for other moves in a uv_grid than along its axis. ABUT_INVALID_ARGUMENT
+ * where nothing is lent. Complexity O(vertices + triangles), and a copy of the mesh where its shape has other holders.
+ * [exclusive]
+ */
+ABUT_API abut_status abut_geometry_advance(abut_universe *universe, abut_geometry_id geometry);
+/**
+ * The same for several geometries: all advance, or none.
+ * @param geometries  count different ones, each with vertices that are lent
+ * @param count       with 0 nothing changes
+ * [exclusive]
+ */
+ABUT_API abut_status abut_geometries_advance(abut_universe *universe, const abut_geometry_id *geometries, size_t count);
+
+/**
  * Takes triangles out of the mesh or the uv_grid of a geometry, as abut_geometry_set_parameters changes parameters. The
  * others keep their numbers, and their contacts keep ids, ages and user data. A triangle that has gone keeps its number
  * too: it meets nothing from then on, and abut_shape_triangles names one vertex three times for it.
@@ -2155,7 +2201,9 @@ typedef uint32_t abut_event_flags;
 enum abut_event_flags_value ABUT_ENUM(uint32_t) {
   ABUT_EVENT_SENSOR = 1, /**< a geometry of the pair is a sensor */
   ABUT_EVENT_CONTACT = 2, /**< about one contact, not about the pair */
-  ABUT_EVENT_ASLEEP = 4  /**< the pair touches, but none of its dynamic parts is awake */
+  ABUT_EVENT_ASLEEP = 4,  /**< the pair touches, but none of its dynamic parts is awake */
+  ABUT_EVENT_ELEMENTS = 8 /**< about one element contact: `contact_id` is its id, and `first_contact` its place among
+                               the element contacts */
 };
 
 /**
@@ -2170,12 +2218,13 @@ typedef struct abut_event {
   uint64_t contact_id;         /**< of the contact; 0 for a pair */
   uint32_t first_contact;      /**< index of the first contact of the pair, or of the contact; 0 at an end */
   uint32_t contact_count;      /**< of the pair; 1 for a contact; 0 at an end, and for pairs that are treated as
-                                    boxes */
+                                    boxes or by elements */
 } abut_event;
 
 /**
  * Events of the last step, ordered by the slots of the two geometries; of one pair, ends of those that had the slots
- * before come first, and the pair before its contacts. Borrowed until the next [exclusive] call. [const]
+ * before come first, and the pair before its contacts and element contacts. Borrowed until the next [exclusive] call.
+ * [const]
  */
 ABUT_API abut_status abut_universe_events(const abut_universe *universe, const abut_event **events, size_t *count);
 
@@ -2538,8 +2587,10 @@ ABUT_API abut_status abut_universe_impacts(const abut_universe *universe, const 
  * which is proven. They touch as in a step: in ABUT_TOLERANCE_MARGIN at the tolerance. A step with time that follows
  * has the contacts of that touch; a detection has those of the present poses. Pairs that touch at the start hold
  * nothing up until they have parted, as above. Sensors hold nothing up, nor do pairs that a policy treats as boxes.
- * Velocities stay as they are. It brings boxes up to date as abut_universe_refresh does, finds velocities that are
- * measured, and may ask the filter. It detects no contacts.
+ * Velocities stay as they are. Fast geometries that have lent their next vertices advance as well, by the same share of
+ * the way, and lend them no longer: their element contacts hold the world up as touches do, where features first come
+ * as near as in a step. Vertices go on straight lines, also those of bodies that turn. It brings boxes up to date as
+ * abut_universe_refresh does, finds velocities that are measured, and may ask the filter. It detects no contacts.
  * @param dt   not negative, as in abut_universe_step
  * @param out  the impact, without contacts. Where there is none, the geometries are null, and `lower` and `upper` 1
  * Complexity as a step for the fast geometries. [exclusive]
@@ -2573,25 +2624,32 @@ ABUT_API abut_status abut_universe_advance_to_first_impact(abut_universe *univer
  * contacts. So has a mesh with ABUT_GEOMETRY_SELF_PAIRS, by the policy of its tag with itself.
  *
  *  - They are closest features within the tolerance of the pair, where the vertices are: what abut_elements_closest
- *    tells. The pair touches while it has any; its events have no contacts.
+ *    tells. The pair touches while it has any. Its events have no contacts; ABUT_EVENTS_ELEMENTS asks for those of each
+ *    element contact.
  *  - A pair with ABUT_GEOMETRY_FAST has first touches in steps with time: what abut_elements_first_touches tells. Each
  *    vertex moves on a straight line in the world: from where it was in the last step with time to where it is now,
  *    whether its mesh was edited or its part was moved. A geometry that is new starts where it is. Velocities are not
  *    looked at. Features touch at the contact distance of the policy, at most the tolerance of the pair.
+ *  - A fast geometry that has lent its next vertices (abut_geometry_next_vertices) looks ahead instead: it moves from
+ *    where it is to these, which stay where they are. So a solver may look at a step before it takes it. Numbers that
+ *    are not finite, or too large, are refused by the step.
  *  - The rest shape is the one that the first detection with such a policy sees, or the first one after
  *    abut_geometry_set_shape.
  *
- * A pair of which nothing has moved or changed keeps its element contacts, at no cost. Islands and sleep do not look at
- * them. Coordinates in the world beyond 1e50 have none. A universe without such a policy pays nothing.
+ * A pair of which nothing has moved or changed keeps its element contacts, at no cost. For islands and sleep a pair
+ * with element contacts is one with contacts. Coordinates in the world beyond 1e50 have none. A universe without such a
+ * policy pays nothing.
  * --------------------------------------------------------------------------------------------- */
 
-/** A vertex, edge or face of one geometry near one of another, or of the same geometry. 136 bytes. */
+/** A vertex, edge or face of one geometry near one of another, or of the same geometry. 144 bytes. */
 typedef struct abut_element_contact {
   abut_geometry_id geometry_a; /**< the one of the lower slot */
   abut_geometry_id geometry_b; /**< the same one in a self pair */
   abut_stencil stencil;        /**< in the world */
   double gap;                  /**< the distance less the contact distance of the policy */
   uint64_t id;                 /**< of the two features: from step to step the same, and unique within the pair */
+  uint32_t age;                /**< how many steps ago the contact began, of those that looked at the pair; 0: now */
+  uint32_t reserved;           /**< zero */
 } abut_element_contact;
 
 /**

@@ -16,6 +16,7 @@ import abut.proximity.closest;
 import abut.proximity.first_touches;
 import abut.proximity.stencil;
 import abut.scene;
+import abut.scene.state.lent_vertices;
 import abut.scene.state.options;
 import abut.scene.state.places;
 import abut.scene.meetings.policies;
@@ -36,13 +37,26 @@ constexpr Real touch_tolerance = 1e-9;
   return box;
 }
 
+[[nodiscard]] bool are_same(std::span<const std::uint32_t> a, std::span<const std::uint32_t> b) {
+  std::size_t i = 0;
+  while (i < a.size() && i < b.size() && a[i] == b[i]) {
+    ++i;
+  }
+  return i == a.size() && i == b.size();
+}
+
 [[nodiscard]] bool are_too_far(std::span<const Vec3> vertices) {
   return std::ranges::any_of(vertices,
                              [](const Vec3& vertex) { return !(largest_magnitude(vertex) <= farthest_vertex); });
 }
 
-[[nodiscard]] bool are_finite(std::span<const Vec3> vertices) {
-  return std::ranges::all_of(vertices, [](const Vec3& vertex) { return is_finite(vertex); });
+[[nodiscard]] bool is_fast(std::uint32_t place, const Places& places) {
+  return places.infos[place].sweeping == Sweeping::impacts;
+}
+
+void place_in_world(std::span<const Vec3> vertices, const Pose& world, std::vector<Vec3>& out) {
+  out.resize(vertices.size());
+  std::transform(vertices.begin(), vertices.end(), out.begin(), [&](const Vec3& vertex) { return world * vertex; });
 }
 
 // The kinds of the two features of a stencil.
@@ -73,16 +87,6 @@ struct FeatureKinds {
           {rule.cone_angle, rule.cone_factor, rule.is_front_only}};
 }
 
-// Whether what was read is what a detection may have found.
-[[nodiscard]] bool is_right(const ElementContact& its) {
-  constexpr Real slack = 1e-6;
-  const Stencil& stencil = its.stencil;
-  return stencil.kind <= StencilKind::vertex_vertex && stencil.of_a >= 1 && stencil.of_a <= 3 &&
-         std::fabs(squared_norm(stencil.normal) - 1) <= slack && stencil.distance >= 0 &&
-         std::isfinite(stencil.distance) && stencil.toi >= 0 && stencil.toi <= 1 && std::isfinite(its.gap) &&
-         std::ranges::all_of(stencil.weights, [](Real weight) { return std::isfinite(weight); });
-}
-
 }  // namespace
 
 bool has_elements(std::size_t kind) { return has_triangles(kind); }
@@ -98,23 +102,41 @@ bool ElementStage::may_have_pairs(std::uint32_t place, const Places& places) con
 }
 
 void ElementStage::read(std::uint32_t place, const Places& places, Body& body) {
-  Triangles surface = triangles_of(*places.shapes[place]).value_or(Triangles{});
-  for (Vec3& vertex : surface.vertices) {
-    vertex = places.worlds[place] * vertex;
+  Triangles made;
+  HeldTriangles surface = held_triangles(*places.shapes[place]);
+  if (surface.vertices.empty()) {
+    made = triangles_of(*places.shapes[place]).value_or(Triangles{});
+    surface = {made.vertices, made.indices};
   }
   const bool is_new = places.has_happened(place, happened_to_shape) || body.rest.size() != surface.vertices.size();
-  if (is_new || body.triangles != surface.indices) {
+  if (is_new || !are_same(body.triangles, surface.indices)) {
     body.elements.reset();
-    body.triangles = std::move(surface.indices);
+    body.triangles.assign(surface.indices.begin(), surface.indices.end());
   }
+  place_in_world(surface.vertices, places.worlds[place], body.now);
   if (is_new) {
-    body.rest = surface.vertices;
+    body.rest = body.now;
     body.before.clear();
   }
-  body.now = std::move(surface.vertices);
+  body.goes_ahead = false;
   body.has_moved = !body.before.empty() && body.now != body.before;
   body.is_laid = false;
   body.is_too_far = are_too_far(body.now);
+}
+
+// For one step: the way leads to other vertices than those that are there.
+void ElementStage::look_ahead(std::span<const Vec3> next, const Pose& world, Body& body) {
+  place_in_world(next, world, body.next);
+  body.goes_ahead = true;
+  body.has_moved = body.next != body.now;
+  body.is_laid = false;
+}
+
+void ElementStage::look_back(Body& body) {
+  if (std::exchange(body.goes_ahead, false)) {
+    body.has_moved = !body.before.empty() && body.now != body.before;
+    body.is_laid = false;
+  }
 }
 
 ElementStage::Body& ElementStage::body_at(std::uint32_t place, const Places& places) {
@@ -129,12 +151,9 @@ ElementStage::Body& ElementStage::body_at(std::uint32_t place, const Places& pla
   return body;
 }
 
-bool ElementStage::follow(const BoxFrame& frame, const PolicyTable& policies, const Space& space,
-                          std::span<const std::uint32_t> fresh, bool has_time, Places& places) {
+void ElementStage::read_fresh(const PolicyTable& policies, const Space& space, std::span<const std::uint32_t> fresh,
+                              const Places& places) {
   const bool has_other_tags = std::exchange(tags_, policies.tags_of_elements()) != policies.tags_of_elements();
-  if (tags_ == 0 && bodies_.empty() && pairs_.empty()) {
-    return false;
-  }
   std::erase_if(bodies_, [&](const auto& its) {
     return !may_have_pairs(its.first, places) || its.second.generation != places.infos[its.first].generation;
   });
@@ -159,6 +178,23 @@ bool ElementStage::follow(const BoxFrame& frame, const PolicyTable& policies, co
       body_at(place, places);
     }
   }
+}
+
+bool ElementStage::follow(const BoxFrame& frame, const PolicyTable& policies, const Space& space,
+                          std::span<const std::uint32_t> fresh, const LentVertices& lent, bool has_time,
+                          Places& places) {
+  if (policies.tags_of_elements() == 0 && tags_ == 0 && bodies_.empty() && pairs_.empty()) {
+    return false;
+  }
+  read_fresh(policies, space, fresh, places);
+  for (auto& [place, body] : bodies_) {
+    const std::span<const Vec3> next = lent.of(place);
+    if (has_time && body.is_shown && is_fast(place, places) && !next.empty()) {
+      look_ahead(next, places.worlds[place], body);
+    } else {
+      look_back(body);
+    }
+  }
   const bool is_other_mode = std::exchange(had_time_, has_time) != has_time;
   for (const auto& [place, body] : bodies_) {
     if (is_other_mode || (has_time && (body.has_moved || body.was_on_way))) {
@@ -173,21 +209,24 @@ bool ElementStage::follow(const BoxFrame& frame, const PolicyTable& policies, co
   return pairs_ != pairs_before_;
 }
 
+// The box around it.
+void ElementStage::find_way(const BoxFrame& frame, std::uint32_t place, const Places& places, Body& body) {
+  body.way = places.boxes[place];
+  if (body.has_moved) {
+    Aabb box = box_around(body.start());
+    box.include(box_around(body.end()));
+    body.way = compact(box.inflated(reach_of(places.infos[place], frame.mode, frame.largest_tolerance)), frame.origin);
+  }
+}
+
 void ElementStage::find_ways(const BoxFrame& frame, const PolicyTable& policies, const Space& space,
                              const Places& places) {
-  const auto is_fast = [&](std::uint32_t place) { return places.infos[place].sweeping == Sweeping::impacts; };
   if (std::ranges::none_of(bodies_, [](const auto& its) { return its.second.has_moved; }) ||
-      std::ranges::none_of(bodies_, [&](const auto& its) { return is_fast(its.first); })) {
+      std::ranges::none_of(bodies_, [&](const auto& its) { return is_fast(its.first, places); })) {
     return;
   }
   for (auto& [place, body] : bodies_) {
-    body.way = places.boxes[place];
-    if (body.has_moved) {
-      Aabb box = box_around(body.now);
-      box.include(box_around(body.before));
-      body.way =
-          compact(box.inflated(reach_of(places.infos[place], frame.mode, frame.largest_tolerance)), frame.origin);
-    }
+    find_way(frame, place, places, body);
   }
   const auto may_meet = [&](std::uint32_t a, std::uint32_t b) {
     const PlaceInfo &info_a = places.infos[a], &info_b = places.infos[b];
@@ -195,17 +234,74 @@ void ElementStage::find_ways(const BoxFrame& frame, const PolicyTable& policies,
            space.is_shown(b) && policies.of(info_a.tag, info_b.tag).detail == Detail::elements;
   };
   for (const auto& [fast, body] : bodies_) {
-    if (!is_fast(fast)) {
+    if (!is_fast(fast, places)) {
       continue;
     }
     for (const auto& [place, other] : bodies_) {
-      const bool is_taken = place == fast || (place < fast && is_fast(place));
+      const bool is_taken = place == fast || (place < fast && is_fast(place, places));
       if (!is_taken && (body.has_moved || other.has_moved) && body.way.overlaps(other.way) && may_meet(fast, place)) {
         pairs_.push_back({std::min(fast, place), std::max(fast, place)});
       }
     }
   }
   std::ranges::sort(pairs_, is_before);
+}
+
+std::optional<ElementStage::FirstTouch> ElementStage::first_touch(
+    const Workers& workers, const BoxFrame& frame, const PolicyTable& policies, const Space& space,
+    std::span<const std::uint32_t> fresh, const LentVertices& lent, const Places& places,
+    const std::function<Pose(std::uint32_t)>& end_of,
+    const std::function<bool(std::uint32_t, std::uint32_t)>& holds_up) {
+  std::vector<std::uint32_t> leading;  // places on the way to lent vertices
+  read_fresh(policies, space, fresh, places);
+  for (auto& [place, body] : bodies_) {
+    if (!body.is_shown) {
+      continue;
+    }
+    const std::span<const Vec3> next = lent.of(place);
+    const bool leads = is_fast(place, places) && !next.empty();
+    Triangles made;
+    std::span<const Vec3> present = held_triangles(*places.shapes[place]).vertices;
+    if (present.empty()) {
+      made = triangles_of(*places.shapes[place]).value_or(Triangles{});
+      present = made.vertices;
+    }
+    look_ahead(leads ? next : present, end_of(place), body);
+    find_way(frame, place, places, body);
+    if (leads) {
+      leading.push_back(place);
+    }
+  }
+  std::optional<FirstTouch> first;
+  const auto look_at = [&](std::uint32_t low, std::uint32_t high) {
+    const PlaceInfo &a = places.infos[low], &b = places.infos[high];
+    const Policy& policy = policies.of(a.tag, b.tag);
+    Body &of_low = bodies_.at(low), &of_high = bodies_.at(high);
+    if (policy.detail != Detail::elements || !of_low.way.overlaps(of_high.way) || !holds_up(low, high)) {
+      return;
+    }
+    find(workers, policy, std::max<Real>(margin_of(frame.mode, policy, a, b), 0), true, of_low, of_high);
+    for (const Stencil& its : stencils_) {
+      if (its.toi > 0 && (!first || its.toi < first->toi)) {
+        first = {low, high, its.toi};
+      }
+    }
+  };
+  for (const std::uint32_t place : leading) {
+    for (const auto& [other, body] : bodies_) {
+      const PlaceInfo &its = places.infos[place], &of_other = places.infos[other];
+      const bool is_taken = other < place && std::ranges::binary_search(leading, other);
+      const bool may_meet =
+          other == place ? its.has_self_pairs : its.part != of_other.part && (its.is_dynamic || of_other.is_dynamic);
+      if (body.is_shown && may_meet && !is_taken) {
+        look_at(std::min(place, other), std::max(place, other));
+      }
+    }
+  }
+  for (auto& [place, body] : bodies_) {
+    look_back(body);
+  }
+  return first;
 }
 
 std::span<const ProxyPair> ElementStage::with(std::span<const ProxyPair> near) {
@@ -222,17 +318,35 @@ std::span<const ProxyPair> ElementStage::with(std::span<const ProxyPair> near) {
   return joined_;
 }
 
-bool ElementStage::keeps_all(std::span<const Pair> pairs) const {
+namespace {
+
+[[nodiscard]] bool is_reshaped(const Pair& pair, const Places& places) {
+  return places.has_happened(pair.low, happened_to_shape) || places.has_happened(pair.high, happened_to_shape);
+}
+
+}  // namespace
+
+bool ElementStage::keeps_all(std::span<const Pair> pairs, const Places& places) const {
   std::size_t at = 0;
   for (const Pair& pair : pairs) {
     if (pair.is_by_elements && pair.is_admitted) {
-      if (pair.job != no_job || at == runs_.size() || !is_of(runs_[at], pair)) {
+      if (pair.job != no_job || at == runs_.size() || !is_of(runs_[at], pair) || is_reshaped(pair, places)) {
         return false;
       }
       ++at;
     }
   }
   return at == runs_.size();
+}
+
+// All contacts become older, at no cost of theirs.
+void ElementStage::keep_all(std::span<const Pair> pairs) {
+  std::size_t at = 0;
+  for (const Pair& pair : pairs) {
+    if (pair.is_by_elements && pair.is_admitted) {
+      runs_[at++].age += pair.is_covered ? 1 : 0;
+    }
+  }
 }
 
 // The elements of a body with its vertices where they are, or on their way there.
@@ -244,19 +358,19 @@ ElementBody& ElementStage::laid(Body& body, bool on_way, const Workers& workers)
   const bool lies_on_way = on_way && body.has_moved;
   if (!body.is_laid || body.lies_on_way != lies_on_way) {
     const std::span<const Vec3> now(body.now);
-    body.elements->move(lies_on_way ? std::span<const Vec3>(body.before) : now, lies_on_way ? now : now.first(0));
+    body.elements->move(lies_on_way ? body.start() : now, lies_on_way ? body.end() : now.first(0));
     body.is_laid = true;
     body.lies_on_way = lies_on_way;
   }
   return *body.elements;
 }
 
-void ElementStage::find(const Workers& workers, const Policy& policy, Real reach, const Pair& pair,
-                        const Places& places) {
+void ElementStage::find(const Workers& workers, const Policy& policy, Real reach, bool on_way, Body& low, Body& high) {
   stencils_.clear();
-  Body &low = body_at(pair.low, places), &high = body_at(pair.high, places);
-  const bool on_way = had_time_ && follows_vertices(pair, places.infos);
-  if (low.is_too_far || high.is_too_far || (on_way && (are_too_far(low.before) || are_too_far(high.before)))) {
+  const auto starts_or_ends_too_far = [](const Body& body) {
+    return are_too_far(body.start()) || are_too_far(body.end());
+  };
+  if (low.is_too_far || high.is_too_far || (on_way && (starts_or_ends_too_far(low) || starts_or_ends_too_far(high)))) {
     return;
   }
   ElementBody &a = laid(low, on_way, workers), &b = laid(high, on_way, workers);
@@ -272,50 +386,109 @@ void ElementStage::find(const Workers& workers, const Policy& policy, Real reach
   }
 }
 
-void ElementStage::append(const Policy& policy, const Pair& pair) {
+void ElementStage::append(const Policy& policy, const Pair& pair, std::span<const ContactHistory> before,
+                          std::uint32_t age) {
+  index_.look_at(before);
   for (const Stencil& its : stencils_) {
+    const std::uint64_t id = id_of(its);
+    const std::uint32_t same = index_.place_of(id, before);
+    const std::uint32_t begun = same == no_index ? age : before[same].age;
     contacts_.push_back({.geometry_a = {pair.low + 1, pair.generation_low},
                          .geometry_b = {pair.high + 1, pair.generation_high},
                          .stencil = its,
                          .gap = its.distance - policy.elements.contact_distance,
-                         .id = id_of(its)});
+                         .id = id,
+                         .begun = begun});
+    histories_.push_back({id, 0, begun});
   }
 }
 
 void ElementStage::run(const Workers& workers, const PolicyTable& policies, Places& places, std::span<const Pair> pairs,
                        JobList& jobs) {
   if (tags_ == 0 && bodies_.empty() && runs_.empty()) {
+    has_kept_all_ = true;
     return;
   }
-  if (!keeps_all(pairs)) {
-    contacts_before_.swap(contacts_);
-    runs_before_.swap(runs_);
-    contacts_.clear();
-    runs_.clear();
-    std::size_t before = 0;
-    for (const Pair& pair : pairs) {
-      if (!pair.is_by_elements || !pair.is_admitted) {
-        continue;
-      }
-      const std::size_t first = contacts_.size();
-      while (before < runs_before_.size() &&
-             std::tie(runs_before_[before].low, runs_before_[before].high) < std::tie(pair.low, pair.high)) {
-        ++before;
-      }
-      if (pair.job != no_job) {
-        const Policy& policy = policies.at(pair.policy);
-        find(workers, policy, std::max<Real>(jobs.jobs()[pair.job].margin, 0), pair, places);
-        append(policy, pair);
-        jobs.result(pair.job).is_touching = !stencils_.empty();
-      } else if (before < runs_before_.size() && is_of(runs_before_[before], pair)) {
-        const auto kept = std::span(contacts_before_).subspan(runs_before_[before].first, runs_before_[before].count);
-        contacts_.insert(contacts_.end(), kept.begin(), kept.end());
-      }
-      runs_.push_back(
-          {pair.low, pair.high, pair.generation_low, pair.generation_high, first, contacts_.size() - first});
-    }
+  has_kept_all_ = keeps_all(pairs, places);
+  if (has_kept_all_) {
+    keep_all(pairs);
+  } else {
+    answer_pairs(workers, policies, places, pairs, jobs);
   }
   end_ways(places);
+}
+
+void ElementStage::answer_pairs(const Workers& workers, const PolicyTable& policies, const Places& places,
+                                std::span<const Pair> pairs, JobList& jobs) {
+  contacts_before_.swap(contacts_);
+  histories_before_.swap(histories_);
+  runs_before_.swap(runs_);
+  contacts_.clear();
+  histories_.clear();
+  runs_.clear();
+  std::size_t at = 0;
+  for (const Pair& pair : pairs) {
+    if (!pair.is_by_elements || !pair.is_admitted) {
+      continue;
+    }
+    const auto is_before_pair = [&](const Run& run) {
+      return std::tie(run.low, run.high) < std::tie(pair.low, pair.high);
+    };
+    while (at < runs_before_.size() && is_before_pair(runs_before_[at])) {
+      ++at;
+    }
+    Run run{pair.low, pair.high, pair.generation_low, pair.generation_high, contacts_.size(), 0, 0};
+    run.is_reshaped = is_reshaped(pair, places);
+    const bool has_before = at < runs_before_.size() && is_of(runs_before_[at], pair) && !run.is_reshaped;
+    const Run before = has_before ? runs_before_[at] : Run{};
+    run.age = has_before ? before.age + (pair.is_covered ? 1 : 0) : 0;
+    if (pair.job != no_job) {
+      const Policy& policy = policies.at(pair.policy);
+      const bool on_way = had_time_ && follows_vertices(pair, places.infos);
+      find(workers, policy, std::max<Real>(jobs.jobs()[pair.job].margin, 0), on_way, body_at(pair.low, places),
+           body_at(pair.high, places));
+      append(policy, pair, histories_before(before), run.age);
+      jobs.result(pair.job).is_touching = !stencils_.empty();
+    } else {
+      const auto kept = std::span(contacts_before_).subspan(before.first, before.count);
+      contacts_.insert(contacts_.end(), kept.begin(), kept.end());
+      const auto known = histories_before(before);
+      histories_.insert(histories_.end(), known.begin(), known.end());
+    }
+    run.count = contacts_.size() - run.first;
+    runs_.push_back(run);
+  }
+}
+
+std::span<const ContactHistory> ElementStage::histories_before(const Run& run) const {
+  return std::span(histories_before_).subspan(run.first, run.count);
+}
+
+const ElementStage::Run* ElementStage::find_run(std::span<const Run> runs, const Pair& pair) {
+  const auto found = std::lower_bound(runs.begin(), runs.end(), pair, [](const Run& run, const Pair& its) {
+    return std::tie(run.low, run.high) < std::tie(its.low, its.high);
+  });
+  return found == runs.end() || !is_of(*found, pair) ? nullptr : &*found;
+}
+
+std::span<const ContactHistory> ElementStage::histories_of(const Pair& pair) const {
+  const Run* const run = find_run(runs_, pair);
+  return run == nullptr ? std::span<const ContactHistory>() : std::span(histories_).subspan(run->first, run->count);
+}
+
+std::size_t ElementStage::first_of(const Pair& pair) const {
+  const Run* const run = find_run(runs_, pair);
+  return run == nullptr ? 0 : run->first;
+}
+
+std::span<const ContactHistory> ElementStage::histories_before_of(const Pair& pair, bool is_lost) const {
+  if (has_kept_all_) {
+    return is_lost ? std::span<const ContactHistory>() : histories_of(pair);
+  }
+  const Run* const run = is_lost ? nullptr : find_run(runs_, pair);
+  const Run* const before = find_run(runs_before_, pair);
+  const bool has_none = before == nullptr || (run != nullptr && run->is_reshaped);
+  return has_none ? std::span<const ContactHistory>() : histories_before(*before);
 }
 
 void ElementStage::end_ways(Places& places) {
@@ -333,9 +506,10 @@ void ElementStage::end_ways(Places& places) {
 
 std::uint64_t ElementStage::hash_after(std::uint64_t hash) const {
   const auto add = [&](std::uint64_t word) { hash = scrambled(hash ^ word); };
-  for (const ElementContact& its : contacts_) {
+  visit([&](const ElementContact& its, std::uint32_t age) {
     add(std::uint64_t{its.geometry_b.slot} << 32 | its.geometry_a.slot);
     add(its.id);
+    add(age);
     add(std::bit_cast<std::uint64_t>(its.gap));
     for (std::size_t i = 0; i < its.stencil.vertices.size(); ++i) {
       add(its.stencil.vertices.at(i));
@@ -345,74 +519,8 @@ std::uint64_t ElementStage::hash_after(std::uint64_t hash) const {
          {its.stencil.normal.x, its.stencil.normal.y, its.stencil.normal.z, its.stencil.distance, its.stencil.toi}) {
       add(std::bit_cast<std::uint64_t>(number));
     }
-  }
+  });
   return hash;
-}
-
-std::vector<ElementStage::SavedBody> ElementStage::saved_bodies() const {
-  std::vector<SavedBody> saved;
-  for (const auto& [place, body] : bodies_) {
-    saved.push_back({place, body.generation, body.was_on_way, body.rest, body.before});
-  }
-  return saved;
-}
-
-// Contacts of one pair follow each other.
-void ElementStage::make_runs() {
-  runs_.clear();
-  for (std::size_t i = 0; i < contacts_.size(); ++i) {
-    const GeometryId &a = contacts_[i].geometry_a, &b = contacts_[i].geometry_b;
-    if (i == 0 || a != contacts_[i - 1].geometry_a || b != contacts_[i - 1].geometry_b) {
-      runs_.push_back({a.slot - 1, b.slot - 1, a.generation, b.generation, i, 0});
-    }
-    ++runs_.back().count;
-  }
-}
-
-// A body whose shape is another one since, or that has gone, waits for the next detection.
-bool ElementStage::restore(const Places& places, const PolicyTable& policies) {
-  tags_ = policies.tags_of_elements();
-  const std::size_t count = places.infos.size();
-  for (SavedBody& its : std::exchange(saved_, {})) {
-    const bool is_body = its.place < count && (its.before.empty() || its.before.size() == its.rest.size());
-    if (!is_body || !are_finite(its.rest) || !are_finite(its.before)) {
-      return false;
-    }
-    Body& body = bodies_[its.place];
-    body.generation = its.generation;
-    body.was_on_way = its.was_on_way;
-    body.rest = std::move(its.rest);
-    body.before = std::move(its.before);
-    const std::optional<Triangles> surface = triangles_of(*places.shapes[its.place]);
-    const bool is_same =
-        surface && surface->vertices.size() == body.rest.size() && !places.has_happened(its.place, happened_to_shape);
-    if (is_same && may_have_pairs(its.place, places)) {
-      read(its.place, places, body);
-    }
-  }
-  for (const ElementContact& its : contacts_) {
-    const bool is_there =
-        its.geometry_a.slot >= 1 && its.geometry_a.slot <= its.geometry_b.slot && its.geometry_b.slot <= count;
-    if (!is_there || !is_right(its)) {
-      return false;
-    }
-  }
-  make_runs();
-  return std::ranges::is_sorted(
-      runs_, [](const Run& a, const Run& b) { return std::tie(a.low, a.high) < std::tie(b.low, b.high); });
-}
-
-std::size_t ElementStage::bytes() const {
-  std::size_t sum = (pairs_.capacity() + pairs_before_.capacity() + joined_.capacity()) * sizeof(ProxyPair) +
-                    stencils_.capacity() * sizeof(Stencil) + closest_.bytes() + first_touches_.bytes() +
-                    (contacts_.capacity() + contacts_before_.capacity()) * sizeof(ElementContact) +
-                    (runs_.capacity() + runs_before_.capacity()) * sizeof(Run);
-  for (const auto& [place, body] : bodies_) {
-    sum += sizeof(Bodies::value_type) +
-           (body.rest.capacity() + body.now.capacity() + body.before.capacity()) * sizeof(Vec3) +
-           body.triangles.capacity() * sizeof(std::uint32_t) + (body.elements ? body.elements->bytes() : 0);
-  }
-  return sum;
 }
 
 }  // namespace abut

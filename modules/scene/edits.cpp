@@ -57,10 +57,30 @@ Aabb place_of(const Edit& edit, const AnyShape& shape) {
 
 }  // namespace
 
+void Scene::make_room_for_edits(std::size_t count) {
+  make_room(changes_.changed_geometries, count);
+  make_room(changes_.patches, count);
+}
+
+// After the shape of a geometry has changed, at most in a box, but for what that adds to the box of the shape.
+void Scene::follow_edit(GeometryId geometry, const Aabb& changed, const Aabb& place_before) {
+  const std::uint32_t place = geometry.slot - 1;
+  patch(geometry, changed);
+  places_.note(place, happened_to_surface);
+  places_.infos[place].is_box_stale = true;
+  enlist(geometry);
+  if (sleep_.is_used()) {
+    Aabb its = place_before;
+    const Aabb box = aabb_of(shape_at(place), Pose::identity());
+    its.low.z = std::min(its.low.z, box.low.z);
+    its.high.z = std::max(its.high.z, box.high.z);
+    disturb_by_edit(geometry, changed.is_bounded() ? changed : its);
+  }
+}
+
 // Of checked ids and edits. What needs memory comes first, so that nothing has changed when there is none.
 void Scene::apply_edits(std::span<const GeometryId> geometries, std::span<const Edit> edits) {
-  make_room(changes_.changed_geometries, geometries.size());
-  make_room(changes_.patches, geometries.size());
+  make_room_for_edits(geometries.size());
   for (std::size_t i = 0; i < geometries.size(); ++i) {
     own_shape(places_.shapes[geometries[i].slot - 1], edits[i]);
   }
@@ -70,18 +90,72 @@ void Scene::apply_edits(std::span<const GeometryId> geometries, std::span<const 
   }
   for (std::size_t i = 0; i < geometries.size(); ++i) {
     const std::uint32_t place = geometries[i].slot - 1;
-    const Aabb changed = apply_edit(places_.shapes[place], edits[i]);
-    patch(geometries[i], changed);
-    places_.note(place, happened_to_surface);
-    places_.infos[place].is_box_stale = true;
-    enlist(geometries[i]);
-    if (!places.empty()) {
-      Aabb& its = places[i];
-      const Aabb box = aabb_of(shape_at(place), Pose::identity());
-      its.low.z = std::min(its.low.z, box.low.z);
-      its.high.z = std::max(its.high.z, box.high.z);
-      disturb_by_edit(geometries[i], changed.is_bounded() ? changed : its);
+    if (std::get_if<RecreationEdit>(&edits[i]) != nullptr) {
+      lent_.forget(place);
     }
+    const Aabb changed = apply_edit(places_.shapes[place], edits[i]);
+    follow_edit(geometries[i], changed, places.empty() ? Aabb::everything() : places[i]);
+  }
+  count_change(geometries, {1, 0});
+}
+
+Result<std::span<Vec3>> Scene::lend_next_vertices(GeometryId geometry) {
+  if (!geometries_.contains(geometry)) {
+    return stale("geometry");
+  }
+  const std::uint32_t place = geometry.slot - 1;
+  if (Fault fault = check_next_vertices(shape_at(place), {})) {
+    return *fault;
+  }
+  return lent_.lend(place, held_triangles(shape_at(place)).vertices);
+}
+
+Fault Scene::check_advance(GeometryId geometry) const {
+  const std::span<const Vec3> next = lent_.of(geometry.slot - 1);
+  return next.empty() ? Error{Errc::invalid_argument, "it has lent no vertices"}
+                      : check_next_vertices(shape_at(geometry.slot - 1), next);
+}
+
+Result<void> Scene::advance_vertices(GeometryId geometry) {
+  if (!geometries_.contains(geometry)) {
+    return stale("geometry");
+  }
+  if (Fault fault = check_advance(geometry)) {
+    return Error{fault->code, "geometry: " + fault->message};
+  }
+  exchange_all({&geometry, 1});
+  return {};
+}
+
+Result<void> Scene::advance_vertices(std::span<const GeometryId> geometries) {
+  if (std::optional<Error> error = check_ids(geometries_, geometries, "geometries")) {
+    return *error;
+  }
+  for (std::size_t i = 0; i < geometries.size(); ++i) {
+    if (Fault fault = check_advance(geometries[i])) {
+      return Error{fault->code, name_at("geometries", i) + ": " + fault->message};
+    }
+  }
+  if (mark_all(geometries_, geometries, "geometries")) {
+    return Error{Errc::invalid_argument, "geometries has one of them twice; each can advance once"};
+  }
+  for (const GeometryId geometry : geometries) {
+    geometries_.at(geometry).is_marked = false;
+  }
+  exchange_all(geometries);
+  return {};
+}
+
+// As apply_edits.
+void Scene::exchange_all(std::span<const GeometryId> geometries) {
+  make_room_for_edits(geometries.size());
+  for (const GeometryId geometry : geometries) {
+    own_vertices(places_.shapes[geometry.slot - 1]);
+  }
+  for (const GeometryId geometry : geometries) {
+    const std::uint32_t place = geometry.slot - 1;
+    const Aabb changed = exchange_vertices(places_.shapes[place], lent_.take_back(place));
+    follow_edit(geometry, changed, Aabb::everything());
   }
   count_change(geometries, {1, 0});
 }

@@ -174,6 +174,7 @@ Result<std::vector<GeometryId>> Scene::create_geometries(std::span<const PartId>
 void Scene::forget_geometry(GeometryId geometry) {
   const std::uint32_t place = geometry.slot - 1;
   space_.leave(place);
+  lent_.forget(place);
   if (place < places_.infos.size()) {
     set_self_pairs(place, false);
     set_sweeping(place, Sweeping::none);
@@ -209,6 +210,7 @@ Result<void> Scene::set_shapes(std::span<const GeometryId> geometries, std::span
   make_room(changes_.changed_geometries, geometries.size());
   for (std::size_t i = 0; i < geometries.size(); ++i) {
     const std::uint32_t place = geometries[i].slot - 1;
+    lent_.forget(place);
     places_.shapes[place] = shapes[i];
     places_.infos[place].kind = static_cast<std::uint8_t>(kind_in_pairs(*shapes[i]));
     places_.note(place, happened_to_shape);

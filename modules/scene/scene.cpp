@@ -182,7 +182,7 @@ Result<void> Scene::set_focus(const std::optional<Focus>& focus, std::span<const
 std::size_t Scene::bytes() const {
   return parts_.bytes() + geometries_.bytes() + list_bytes_ + places_.bytes() + space_.bytes() + changes_.bytes() +
          meetings_.bytes() + focus_.bytes() + materials_.bytes() + sleep_.bytes() + velocities_.bytes() +
-         (self_places_.capacity() + swept_places_.capacity()) * sizeof(std::uint32_t);
+         lent_.bytes() + (self_places_.capacity() + swept_places_.capacity()) * sizeof(std::uint32_t);
 }
 
 }  // namespace abut

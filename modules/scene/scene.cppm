@@ -14,6 +14,7 @@ import abut.scene.rest.focus_tags;
 import abut.scene.journal;
 export import abut.scene.meetings.materials;
 import abut.scene.meetings;
+import abut.scene.state.lent_vertices;
 export import abut.scene.state.options;
 import abut.scene.state.places;
 import abut.scene.meetings.policies;
@@ -72,6 +73,13 @@ class Scene {
   // where their features do.
   [[nodiscard]] Result<void> edit_shape(GeometryId geometry, const Edit& edit);
   [[nodiscard]] Result<void> edit_shapes(std::span<const GeometryId> geometries, std::span<const Edit> edits);
+  // Lends memory for the vertices to which those of a mesh move next, in the frame of the shape. It is there until an
+  // advance exchanges it with the vertices, or until the geometry goes or gets another shape. After an advance it holds
+  // the vertices that were. Of all geometries the numbers have to be right, or nothing changes. An advance does what an
+  // edit of all vertices does, without a copy.
+  [[nodiscard]] Result<std::span<Vec3>> lend_next_vertices(GeometryId geometry) [[clang::lifetimebound]];
+  [[nodiscard]] Result<void> advance_vertices(GeometryId geometry);
+  [[nodiscard]] Result<void> advance_vertices(std::span<const GeometryId> geometries);
   // Contacts with the shape before do not live on: features of another shape are other features.
   [[nodiscard]] Result<void> set_shapes(std::span<const GeometryId> geometries, std::span<const ShapeHandle> shapes);
   [[nodiscard]] Result<void> set_options(std::span<const GeometryId> geometries,
@@ -199,6 +207,8 @@ class Scene {
   void begin_detection() { is_stepping_ = true; }
   void end_detection();
   void apply_deferred_parking();
+  // Of checked geometries that have lent vertices.
+  void exchange_all(std::span<const GeometryId> geometries);
 
   [[nodiscard]] std::size_t bytes() const;
 
@@ -222,6 +232,7 @@ class Scene {
   std::vector<std::uint32_t> swept_places_;  // of geometries whose way through a step is looked at, in order
   std::size_t parked_count_ = 0;
   std::size_t side_keeper_count_ = 0;  // geometries whose pairs remember sides
+  LentVertices lent_;
 
  private:
   void check_parts(ByteReader& in) const;
@@ -234,6 +245,9 @@ class Scene {
   void change(GeometryId geometry);
   void enlist(GeometryId geometry);
   void apply_edits(std::span<const GeometryId> geometries, std::span<const Edit> edits);
+  [[nodiscard]] Fault check_advance(GeometryId geometry) const;
+  void make_room_for_edits(std::size_t count);
+  void follow_edit(GeometryId geometry, const Aabb& changed, const Aabb& place_before);
   void patch(GeometryId geometry, const Aabb& changed);
   void apply_options(GeometryId geometry);
   void settle_parking(GeometryId geometry, Parking parking);

@@ -13,6 +13,7 @@ import abut.detect.paths.touches;
 import abut.math;
 import abut.math.turn;
 import abut.motion.time_of_impact;
+import abut.pairs.any_shape;
 import abut.scene.meetings;
 import abut.scene.state.places;
 import abut.scene.meetings.policies;
@@ -60,6 +61,49 @@ StepImpact Universe::first_impact(Real dt) {
   return first;
 }
 
+// Of vertices that are lent, where element contacts are first touches.
+void Universe::hold_at_elements(Real dt, StepImpact& first) {
+  const Paths its_paths = paths(dt);
+  const auto end_of = [&](std::uint32_t place) {
+    return its_paths.begins_at_pose(place) ? its_paths.of(place).at(1) : places_.worlds[place];
+  };
+  const auto holds_up = [&](std::uint32_t low, std::uint32_t high) {
+    return !places_.infos[low].is_sensor && !places_.infos[high].is_sensor && meetings_.admits(places_, low, high);
+  };
+  const auto touch = elements_.first_touch(workers_, box_frame(), meetings_.policies, space_, changes_.fresh, lent_,
+                                           places_, end_of, holds_up);
+  if (touch && touch->toi < first.lower) {
+    first = {.geometry_a = places_.id_at(touch->low),
+             .geometry_b = places_.id_at(touch->high),
+             .lower = touch->toi,
+             .upper = touch->toi};
+  }
+}
+
+std::vector<GeometryId> Universe::geometries_that_lead() const {
+  std::vector<GeometryId> leading;
+  lent_.visit([&](std::uint32_t place, std::span<const Vec3>) {
+    if (places_.infos[place].sweeping == Sweeping::impacts) {
+      leading.push_back(places_.id_at(place));
+    }
+  });
+  return leading;
+}
+
+// To a share of the way to the vertices that are lent.
+void Universe::move_vertices(Real share) {
+  const std::vector<GeometryId> leading = geometries_that_lead();
+  for (std::size_t i = 0; share < 1 && i < leading.size(); ++i) {
+    const std::uint32_t place = leading[i].slot - 1;
+    const std::span<const Vec3> present = held_triangles(shape_at(place)).vertices;
+    const std::span<Vec3> next = lent_.lend(place, present);
+    for (std::size_t vertex = 0; vertex < next.size(); ++vertex) {
+      next[vertex] = present[vertex] + share * (next[vertex] - present[vertex]);
+    }
+  }
+  exchange_all(leading);
+}
+
 void Universe::move_along(Real dt, Real time) {
   std::vector<PartId> moving;
   std::vector<Placement> placements;
@@ -96,12 +140,16 @@ Result<StepImpact> Universe::advance_to_first_impact(Real dt) {
   StepImpact first;
   try {
     first = first_impact(dt);
+    if (!lent_.is_empty()) {
+      hold_at_elements(dt, first);
+    }
   } catch (...) {
     end_detection();
     throw;
   }
   end_detection();
   apply_deferred_parking();
+  move_vertices(first.lower);
   move_along(dt, first.lower);
   return first;
 }

@@ -77,7 +77,7 @@ bool are_right(const UniverseOptions& its) {
   constexpr std::uint32_t most_threads = 1024;
   return its.broadphase <= BroadphaseKind::hash_grid && its.tolerance_mode <= ToleranceMode::margin &&
          is_finite(its.origin) && largest_magnitude(its.origin) <= largest_coordinate && its.threads <= most_threads &&
-         its.events <= (event_pairs | event_persist | event_contacts);
+         its.events <= (event_pairs | event_persist | event_contacts | event_elements);
 }
 
 bool is_right(const SavedContact& its) {
@@ -93,10 +93,11 @@ bool is_right(const StepImpact& its, std::size_t contacts) {
          its.contact_count <= contacts - its.first_contact;
 }
 
-bool is_right(const Event& its, std::size_t contacts) {
-  constexpr std::uint32_t all_flags = event_of_sensor | event_of_contact | event_asleep;
-  return its.kind <= EventKind::end && its.flags <= all_flags && its.first_contact <= contacts &&
-         its.contact_count <= contacts - its.first_contact;
+bool is_right(const Event& its, std::size_t contacts, std::size_t element_contacts) {
+  constexpr std::uint32_t all_flags = event_of_sensor | event_of_contact | event_asleep | event_of_elements;
+  const std::size_t most = (its.flags & event_of_elements) != 0 ? element_contacts : contacts;
+  return its.kind <= EventKind::end && its.flags <= all_flags && its.first_contact <= most &&
+         its.contact_count <= most - its.first_contact;
 }
 
 }  // namespace
@@ -200,7 +201,8 @@ void Universe::load_contacts(ByteReader& in, std::uint64_t count) {
   in.require(locals.size() == (options_.keeps_local_points ? count : 0), "the local points are not those of contacts");
   in.require(std::ranges::all_of(saved, [](const SavedContact& its) { return is_right(its); }),
              "a contact has numbers that none has");
-  in.require(std::ranges::all_of(events, [&](const Event& its) { return is_right(its, saved.size()); }),
+  in.require(std::ranges::all_of(
+                 events, [&](const Event& its) { return is_right(its, saved.size(), elements_.contact_count()); }),
              "an event is none");
   in.require(std::ranges::all_of(impacts, [&](const StepImpact& its) { return is_right(its, saved.size()); }),
              "an impact is none");

@@ -23,6 +23,7 @@ import abut.detect.lists.sleep;
 import abut.detect.pairs.stopwatch;
 import abut.detect.paths;
 import abut.math;
+import abut.pairs.any_shape.shape_edit;
 import abut.scene.state.changes;
 import abut.scene.meetings.checks;
 import abut.scene.meetings;
@@ -91,7 +92,7 @@ void Universe::find_paths(Real dt) {
 
 // Pairs are merged anew where others may touch on the ways of vertices.
 void Universe::follow_elements(Real dt) {
-  if (elements_.follow(box_frame(), meetings_.policies, space_, changes_.fresh, dt > 0, places_)) {
+  if (elements_.follow(box_frame(), meetings_.policies, space_, changes_.fresh, lent_, dt > 0, places_)) {
     space_.set_changed(true);
   }
 }
@@ -224,7 +225,7 @@ void Universe::run_stages(const Scope& scope) {
   const ContactCounts counts = contacts_.collect(workers_, places_, is_timed, jobs_, pairs_.all());
   impacts_.mark(pairs_.all(), contacts_);
   update_islands(scope.dt);
-  events_.collect(workers_, options_.events, pairs_, places_.infos, contacts_, sleep_);
+  events_.collect(workers_, options_.events, pairs_, places_.infos, contacts_, elements_, sleep_);
   finish_detection();
   if (scope.dt > 0) {
     velocities_.settle([&](PartId part) { return parts_.at(part).placement; });
@@ -251,7 +252,25 @@ Fault Universe::check_time(Real dt) const {
   if (dt < 0) {
     return error_about(Errc::out_of_range, "dt", dt, "zero or positive");
   }
+  if (Fault fault = dt > 0 ? check_lent_vertices() : std::nullopt) {
+    return fault;
+  }
   return swept_places_.empty() ? std::nullopt : velocities_.check_motions(dt);
+}
+
+// A step with time looks at those of fast geometries.
+Fault Universe::check_lent_vertices() const {
+  Fault fault;
+  lent_.visit([&](std::uint32_t place, std::span<const Vec3> vertices) {
+    if (!fault && places_.infos[place].sweeping == Sweeping::impacts) {
+      fault = check_next_vertices(shape_at(place), vertices);
+      if (fault) {
+        fault->message = "the vertices that the geometry of slot " + std::to_string(place + 1) +
+                         " has lent are wrong: " + fault->message;
+      }
+    }
+  });
+  return fault;
 }
 
 Result<void> Universe::step(Real dt) {

@@ -75,7 +75,10 @@ class Universe : public Scene {
   // Moves all parts that have a velocity as far on their path through dt as nothing touches of what asks for impacts.
   // Those that touch at the start, sensors and pairs that are seen as boxes hold nothing up. Answers with the impact
   // that comes first, or with none and the whole way.
+  // Vertices of fast geometries that are lent move as far on their way, and are lent no longer.
   [[nodiscard]] Result<StepImpact> advance_to_first_impact(Real dt);
+  // Those whose vertices that moves.
+  [[nodiscard]] std::vector<GeometryId> geometries_that_lead() const;
   // Of the contacts, the events and the parts that fell asleep or woke in the last step: every bit of them counts, in
   // their order, but for generations.
   [[nodiscard]] std::uint64_t hash() const;
@@ -105,12 +108,15 @@ class Universe : public Scene {
   void detect(Scope scope);
   void run_stages(const Scope& scope);
   [[nodiscard]] Fault check_time(Real dt) const;
+  [[nodiscard]] Fault check_lent_vertices() const;
   void refresh_places();
   void find_paths(Real dt);
   void sweep(Real dt);
   void follow_elements(Real dt);
   [[nodiscard]] Paths paths(Real dt) const { return {geometries_, velocities_, places_, dt}; }
   [[nodiscard]] StepImpact first_impact(Real dt);
+  void hold_at_elements(Real dt, StepImpact& first);
+  void move_vertices(Real share);
   void move_along(Real dt, Real time);
   [[nodiscard]] BoxFrame box_frame() const;
   void update_space();

@@ -98,4 +98,30 @@ TEST(Elements, AreToldByAUniverse) {
   EXPECT_TRUE(universe.contacts().empty());
 }
 
+TEST(Elements, MoveToVerticesThatAUniverseLends) {
+  abut::Universe universe = abut::Universe::create(
+      abut::UniverseOptions().with_tolerance_mode(ABUT_TOLERANCE_MARGIN).with_events(ABUT_EVENTS_ELEMENTS));
+  universe.set_policy(0, 0, abut::Policy().with_detail(ABUT_DETAIL_ELEMENTS));
+  universe.create_geometry(universe.create_part(), abut::Shape::mesh(square, {{0, 1, 2}}));
+  const abut::GeometryId moving = universe.create_geometry(universe.create_part(), abut::Shape::mesh(tip, {{0, 1, 2}}),
+                                                           abut::GeometryOptions().with_flags(ABUT_GEOMETRY_FAST));
+  universe.step(0.01);
+  const std::vector<double> before(tip.begin(), tip.end());
+  const abut::Span<double> next = universe.next_vertices(moving);
+  ASSERT_EQ(next.size(), before.size());
+  for (std::size_t i = 2; i < next.size(); i += 3) next[i] -= 2;
+  universe.step(0.01);
+  ASSERT_EQ(universe.element_contacts().size(), 1U);
+  EXPECT_EQ(universe.element_contacts()[0].age, 0U);
+  ASSERT_EQ(universe.events().size(), 1U);
+  EXPECT_EQ(universe.events()[0].flags, abut_event_flags{ABUT_EVENT_ELEMENTS});
+  universe.advance(moving);
+  const abut::Span<const double> now = universe.vertices(moving);
+  for (std::size_t i = 0; i < before.size(); ++i) EXPECT_EQ(now[i], before[i] - (i % 3 == 2 ? 2 : 0));
+  EXPECT_EQ(universe.next_vertices(moving)[2], before[2]);
+  universe.advance(std::vector<abut::GeometryId>{moving});
+  EXPECT_EQ(universe.vertices(moving)[2], before[2]);
+  EXPECT_THROW(universe.advance(moving), abut::Error);
+}
+
 }  // namespace

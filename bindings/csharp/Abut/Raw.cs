@@ -154,7 +154,7 @@ namespace Abut
     [Flags]
     public enum EventBits : uint
     {
-        None = 0, Pairs = 1, Persist = 2, Contacts = 4
+        None = 0, Pairs = 1, Persist = 2, Contacts = 4, Elements = 8
     }
 
     /// <summary>Bits of the flags of a universe.</summary>
@@ -208,7 +208,7 @@ namespace Abut
     [Flags]
     public enum EventFlags : uint
     {
-        None = 0, Sensor = 1, Contact = 2, Asleep = 4
+        None = 0, Sensor = 1, Contact = 2, Asleep = 4, Elements = 8
     }
 
     /// <summary>What keeps two geometries from being examined, as bits.</summary>
@@ -985,6 +985,8 @@ namespace Abut
         public Stencil Stencil;
         public double Gap;
         public ulong Id;
+        public uint Age;
+        private readonly uint reserved;
     }
 
     /// <summary>Which geometries a query looks at</summary>
@@ -1459,6 +1461,10 @@ namespace Abut
         [DllImport("abut")] internal static extern Status abut_geometry_set_particles(Universe universe, GeometryId geometry, UIntPtr first, double[] xyz, double[] radii, UIntPtr count);
         [DllImport("abut")] internal static extern Status abut_geometry_set_vertices(Universe universe, GeometryId geometry, UIntPtr first, double[] xyz, UIntPtr count);
         [DllImport("abut")] internal static extern Status abut_geometry_set_vertices_at(Universe universe, GeometryId geometry, uint[] vertices, double[] xyz, UIntPtr count);
+        [DllImport("abut")] internal static extern Status abut_geometry_vertices(Universe universe, GeometryId geometry, out IntPtr xyz, out UIntPtr count);
+        [DllImport("abut")] internal static extern Status abut_geometry_next_vertices(Universe universe, GeometryId geometry, out IntPtr xyz, out UIntPtr count);
+        [DllImport("abut")] internal static extern Status abut_geometry_advance(Universe universe, GeometryId geometry);
+        [DllImport("abut")] internal static extern Status abut_geometries_advance(Universe universe, GeometryId[] geometries, UIntPtr count);
         [DllImport("abut")] internal static extern Status abut_geometry_remove_triangles(Universe universe, GeometryId geometry, uint[] triangles, UIntPtr count);
         [DllImport("abut")] internal static extern Status abut_geometry_set_mesh(Universe universe, GeometryId geometry, double[] xyz, UIntPtr vertexCount, uint[] triangles, UIntPtr triangleCount);
         [DllImport("abut")] internal static extern Status abut_geometry_shape(Universe universe, GeometryId geometry, out IntPtr @out);
@@ -1658,7 +1664,7 @@ namespace Abut
             { typeof(Velocity), 48 },
             { typeof(Acceleration), 48 },
             { typeof(StepImpact), 48 },
-            { typeof(ElementContact), 136 },
+            { typeof(ElementContact), 144 },
             { typeof(QueryFilter), 48 },
             { typeof(Hit), 80 },
             { typeof(CastHit), 144 },

@@ -63,6 +63,33 @@ class Elements(unittest.TestCase):
             self.assertEqual(universe.borrow_element_contacts()[0].id, found[0].id)
             self.assertEqual(len(universe.contacts()), 0)
 
+    def test_next_vertices(self):
+        with abut.Universe(tolerance_mode=c.TOLERANCE_MARGIN) as universe:
+            universe.set_policy(0, 0, detail=c.DETAIL_ELEMENTS)
+            with abut.Shape.mesh(GROUND, FACE) as ground, abut.Shape.mesh(TIP, FACE) as tip:
+                universe.add_geometry(universe.add_part(), ground)
+                moving = universe.add_geometry(universe.add_part(), tip, flags=c.GEOMETRY_FAST)
+            universe.step(0.01)
+
+            def write(xyz):
+                memory = universe.next_vertices(moving).memory
+                for i in range(3):
+                    memory[i] = c.Vec3(*xyz[3 * i:3 * i + 3])
+
+            write(BELOW)
+            universe.step(0.01)
+            self.assertEqual(len(universe.element_contacts()), 1)
+            self.assertAlmostEqual(universe.element_contacts()[0].stencil.toi, 2 / 3, 8)
+            self.assertEqual(universe.element_contacts()[0].age, 0)
+            self.assertEqual(tuple(universe.vertices(moving)[0]), tuple(TIP[:3]))
+            universe.advance(moving)
+            self.assertEqual(tuple(universe.vertices(moving)[0]), tuple(BELOW[:3]))
+            self.assertEqual(tuple(universe.next_vertices(moving)[0]), tuple(TIP[:3]))
+            universe.advance([moving])
+            self.assertEqual(tuple(universe.vertices(moving)[0]), tuple(TIP[:3]))
+            with self.assertRaises(abut.Error):
+                universe.advance(moving)
+
     def test_refuses(self):
         with self.assertRaises(abut.Error):
             self.tip.set_vertices(TIP[:6])
@@ -81,6 +108,11 @@ class Elements(unittest.TestCase):
             import numpy
         except ImportError:
             self.skipTest("without NumPy")
+        with abut.Universe() as universe, abut.Shape.mesh(TIP, FACE) as tip:
+            moving = universe.add_geometry(universe.add_part(), tip)
+            universe.next_vertices(moving).array[:] = numpy.array(BELOW, float).reshape(3, 3)
+            universe.advance(moving)
+            numpy.testing.assert_array_equal(universe.vertices(moving).array.ravel(), BELOW)
         self.tip.set_vertices(numpy.array(TIP, float).reshape(3, 3))
         found = self.tip.closest(self.ground, reach=1)
         self.assertEqual(found.weights.shape, (1, 4))

@@ -526,6 +526,7 @@ pub type abut_event_bits = u32;
 pub const ABUT_EVENTS_PAIRS: abut_event_bits = 1;
 pub const ABUT_EVENTS_PERSIST: abut_event_bits = 2;
 pub const ABUT_EVENTS_CONTACTS: abut_event_bits = 4;
+pub const ABUT_EVENTS_ELEMENTS: abut_event_bits = 8;
 pub type abut_universe_flags = u32;
 pub const ABUT_UNIVERSE_LOCAL_POINTS: abut_universe_flags = 1;
 pub const ABUT_UNIVERSE_WELDS: abut_universe_flags = 2;
@@ -710,6 +711,7 @@ pub type abut_event_flags = u32;
 pub const ABUT_EVENT_SENSOR: abut_event_flags = 1;
 pub const ABUT_EVENT_CONTACT: abut_event_flags = 2;
 pub const ABUT_EVENT_ASLEEP: abut_event_flags = 4;
+pub const ABUT_EVENT_ELEMENTS: abut_event_flags = 8;
 #[repr(C)]
 #[derive(Debug, Default, Copy, Clone)]
 pub struct abut_event {
@@ -852,8 +854,10 @@ pub struct abut_element_contact {
     pub stencil: abut_stencil,
     pub gap: f64,
     pub id: u64,
+    pub age: u32,
+    pub reserved: u32,
 }
-const _: [(); 136] = [(); ::std::mem::size_of::<abut_element_contact>()];
+const _: [(); 144] = [(); ::std::mem::size_of::<abut_element_contact>()];
 pub type abut_query_filter_flags = u32;
 pub const ABUT_QUERY_FILTER_SKIP_SENSORS: abut_query_filter_flags = 1;
 pub type abut_ray_start = u32;
@@ -1068,6 +1072,10 @@ extern "C" {
     pub fn abut_geometry_set_particles(universe: *mut abut_universe, geometry: abut_geometry_id, first: usize, xyz: *const f64, radii: *const f64, count: usize) -> abut_status;
     pub fn abut_geometry_set_vertices(universe: *mut abut_universe, geometry: abut_geometry_id, first: usize, xyz: *const f64, count: usize) -> abut_status;
     pub fn abut_geometry_set_vertices_at(universe: *mut abut_universe, geometry: abut_geometry_id, vertices: *const u32, xyz: *const f64, count: usize) -> abut_status;
+    pub fn abut_geometry_vertices(universe: *const abut_universe, geometry: abut_geometry_id, xyz: *mut *const f64, count: *mut usize) -> abut_status;
+    pub fn abut_geometry_next_vertices(universe: *mut abut_universe, geometry: abut_geometry_id, xyz: *mut *mut f64, count: *mut usize) -> abut_status;
+    pub fn abut_geometry_advance(universe: *mut abut_universe, geometry: abut_geometry_id) -> abut_status;
+    pub fn abut_geometries_advance(universe: *mut abut_universe, geometries: *const abut_geometry_id, count: usize) -> abut_status;
     pub fn abut_geometry_remove_triangles(universe: *mut abut_universe, geometry: abut_geometry_id, triangles: *const u32, count: usize) -> abut_status;
     pub fn abut_geometry_set_mesh(universe: *mut abut_universe, geometry: abut_geometry_id, xyz: *const f64, vertex_count: usize, triangles: *const u32, triangle_count: usize) -> abut_status;
     pub fn abut_geometry_shape(universe: *const abut_universe, geometry: abut_geometry_id, out: *mut *mut abut_shape) -> abut_status;

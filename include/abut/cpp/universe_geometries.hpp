@@ -162,6 +162,28 @@ class UniverseGeometries : public UniverseParts {
                                            : abut_geometry_set_vertices_at(get(), geometry, vertices.data(),
                                                                            places.data(), vertices.size()));
   }
+  // Three numbers for each vertex of a mesh, which belong to the universe, until its next call that is not const.
+  [[nodiscard]] Answer<Span<const double>> vertices(GeometryId geometry) const& {
+    const double* xyz = nullptr;
+    std::size_t count = 0;
+    const abut_status status = abut_geometry_vertices(get(), geometry, &xyz, &count);
+    return detail::answer(status, Span<const double>(xyz, 3 * count));
+  }
+  Answer<Span<const double>> vertices(GeometryId geometry) const&& = delete;
+  // The same numbers for where they move next, to be written. They are there until the geometry advances, goes or gets
+  // another shape or mesh.
+  [[nodiscard]] Answer<Span<double>> next_vertices(GeometryId geometry) & {
+    double* xyz = nullptr;
+    std::size_t count = 0;
+    const abut_status status = abut_geometry_next_vertices(get(), geometry, &xyz, &count);
+    return detail::answer(status, Span<double>(xyz, 3 * count));
+  }
+  Answer<Span<double>> next_vertices(GeometryId geometry) && = delete;
+  // What was written there becomes the vertices: of all these geometries, or of none.
+  Answer<void> advance(GeometryId geometry) { return detail::answer(abut_geometry_advance(get(), geometry)); }
+  Answer<void> advance(Span<const GeometryId> geometries) {
+    return detail::answer(abut_geometries_advance(get(), geometries.data(), geometries.size()));
+  }
   // The other triangles of the mesh keep their numbers.
   Answer<void> remove_triangles(GeometryId geometry, Span<const std::uint32_t> triangles) {
     return detail::answer(abut_geometry_remove_triangles(get(), geometry, triangles.data(), triangles.size()));

@@ -6,7 +6,7 @@ import abut.core.standard;
 import abut.core.workers;
 import abut.core;
 import abut.math;
-import abut.detect.lists.contact_index;
+import abut.detect.pairs.contact_index;
 import abut.detect.pairs.jobs;
 import abut.detect.pairs;
 import abut.scene.state.options;

@@ -3,7 +3,8 @@ module abut.detect.lists.events;
 import abut.capability;
 import abut.core.standard;
 import abut.core.workers;
-import abut.detect.lists.contact_index;
+import abut.detect.elements;
+import abut.detect.pairs.contact_index;
 import abut.detect.lists.contacts;
 import abut.detect.pairs;
 import abut.detect.lists.sleep;
@@ -31,14 +32,14 @@ void write_event(EventKind kind, const Pair& pair, std::uint32_t flags, std::vec
 }
 
 // First those that are there, in their order, then those that are gone, in theirs.
-void write_contact_events(const Pair& pair, std::uint32_t flags, bool with_persist, const ContactList& contacts,
-                          ContactIndex& index, std::vector<Event>& out) {
-  const std::span<const ContactHistory> before = contacts.histories_before_of(pair);
-  const std::span<const ContactHistory> present = contacts.histories_of(pair);
+// `first`: the place of the first one that is there, in its list.
+void write_contact_events(const Pair& pair, std::uint32_t flags, bool with_persist,
+                          std::span<const ContactHistory> before, std::span<const ContactHistory> present,
+                          std::size_t first, ContactIndex& index, std::vector<Event>& out) {
   const auto write = [&](EventKind kind, std::uint64_t id, std::uint32_t place) {
     const bool is_end = kind == EventKind::end;
     out.push_back({.kind = kind,
-                   .flags = flags | std::uint32_t{event_of_contact},
+                   .flags = flags,
                    .geometry_a = {pair.low + 1, pair.generation_low},
                    .geometry_b = {pair.high + 1, pair.generation_high},
                    .contact_id = id,
@@ -50,7 +51,7 @@ void write_contact_events(const Pair& pair, std::uint32_t flags, bool with_persi
     const std::uint64_t id = present[i].id;
     const bool is_new = pair.job != no_job && index.place_of(id, before) == no_index;
     if (is_new || with_persist) {
-      write(is_new ? EventKind::begin : EventKind::persist, id, pair.first_contact + i);
+      write(is_new ? EventKind::begin : EventKind::persist, id, static_cast<std::uint32_t>(first + i));
     }
   }
   index.look_at(present);
@@ -68,10 +69,19 @@ std::uint32_t flags_of(const Pair& pair, std::span<const PlaceInfo> infos, const
 
 // Of pairs in order, and of those that are lost among them.
 void write_events(std::uint32_t wanted, std::span<const Pair> pairs, std::span<const Pair> lost,
-                  std::span<const PlaceInfo> infos, const ContactList& contacts, const SleepTable& sleep,
-                  ContactIndex& index, std::vector<Event>& out) {
+                  std::span<const PlaceInfo> infos, const ContactList& contacts, const ElementStage& elements,
+                  const SleepTable& sleep, ContactIndex& index, std::vector<Event>& out) {
   const bool with_pairs = (wanted & event_pairs) != 0, with_contacts = (wanted & event_contacts) != 0;
-  const bool with_persist = (wanted & event_persist) != 0;
+  const bool with_persist = (wanted & event_persist) != 0, with_elements = (wanted & event_elements) != 0;
+  const auto write_contacts = [&](const Pair& pair, std::uint32_t flags) {
+    write_contact_events(pair, flags | event_of_contact, with_persist, contacts.histories_before_of(pair),
+                         contacts.histories_of(pair), pair.first_contact, index, out);
+  };
+  const auto write_elements = [&](const Pair& pair, std::uint32_t flags, bool is_lost) {
+    const auto present = is_lost ? std::span<const ContactHistory>() : elements.histories_of(pair);
+    write_contact_events(pair, flags | event_of_elements, with_persist, elements.histories_before_of(pair, is_lost),
+                         present, elements.first_of(pair), index, out);
+  };
   const auto end = [&](const Pair& pair) {
     Pair gone = pair;
     gone.is_touching = false;
@@ -82,7 +92,10 @@ void write_events(std::uint32_t wanted, std::span<const Pair> pairs, std::span<c
     if (with_contacts) {
       gone.first_before = std::exchange(gone.first_contact, 0);
       gone.count_before = std::exchange(gone.contact_count, 0);
-      write_contact_events(gone, flags, with_persist, contacts, index, out);
+      write_contacts(gone, flags);
+    }
+    if (with_elements) {
+      write_elements(gone, flags, true);
     }
   };
   for (const Pair& pair : pairs) {
@@ -97,7 +110,7 @@ void write_events(std::uint32_t wanted, std::span<const Pair> pairs, std::span<c
                            : !pair.was_touching ? EventKind::begin
                                                 : EventKind::persist;
     const bool is_written = with_pairs && (kind != EventKind::persist || with_persist);
-    if (!is_written && !with_contacts) {
+    if (!is_written && !with_contacts && !with_elements) {
       continue;
     }
     const std::uint32_t flags = flags_of(pair, infos, sleep);
@@ -105,7 +118,10 @@ void write_events(std::uint32_t wanted, std::span<const Pair> pairs, std::span<c
       write_event(kind, pair, flags, out);
     }
     if (with_contacts) {
-      write_contact_events(pair, flags, with_persist, contacts, index, out);
+      write_contacts(pair, flags);
+    }
+    if (with_elements) {
+      write_elements(pair, flags, false);
     }
   }
   std::ranges::for_each(lost, end);
@@ -115,13 +131,14 @@ void write_events(std::uint32_t wanted, std::span<const Pair> pairs, std::span<c
 
 // Each task writes a list, and they are put behind each other.
 void EventList::collect(const Workers& workers, std::uint32_t wanted, const PairStore& store,
-                        std::span<const PlaceInfo> infos, const ContactList& contacts, const SleepTable& sleep) {
+                        std::span<const PlaceInfo> infos, const ContactList& contacts, const ElementStage& elements,
+                        const SleepTable& sleep) {
   events_.clear();
   const std::span<const Pair> pairs = store.all(), lost = store.lost();
   const Cuts cuts = workers.cut(pairs.size(), least_of_task);
   tasks_.resize(std::max(tasks_.size(), cuts.tasks()));
   if (cuts.tasks() == 1) {
-    write_events(wanted, pairs, lost, infos, contacts, sleep, tasks_.front().index, events_);
+    write_events(wanted, pairs, lost, infos, contacts, elements, sleep, tasks_.front().index, events_);
     return;
   }
   const auto lost_at = [&](std::size_t task) {
@@ -135,7 +152,7 @@ void EventList::collect(const Workers& workers, std::uint32_t wanted, const Pair
   workers.for_each(cuts.tasks(), [&](std::size_t task) {
     const std::size_t begin = lost_at(task), end = lost_at(task + 1);
     tasks_[task].events.clear();
-    write_events(wanted, cuts.of(pairs, task), lost.subspan(begin, end - begin), infos, contacts, sleep,
+    write_events(wanted, cuts.of(pairs, task), lost.subspan(begin, end - begin), infos, contacts, elements, sleep,
                  tasks_[task].index, tasks_[task].events);
   });
   std::size_t total = 0;

@@ -71,9 +71,10 @@ inline constexpr std::uint32_t no_job = 0xffffffff;
 }
 
 // Whether one side may carry the other: what sensors meet, what is only seen as boxes, and what meets itself holds
-// nothing.
+// nothing. A pair by elements touches while it has element contacts.
 [[nodiscard]] inline bool bears(const Pair& pair) {
-  return pair.contact_count > 0 && !pair.is_sensor && !is_self_pair(pair);
+  return (pair.contact_count > 0 || (pair.is_by_elements && pair.is_touching)) && !pair.is_sensor &&
+         !is_self_pair(pair);
 }
 
 // The kept pairs, in order of their places. A detection merges them with the pairs that the broad phase finds.

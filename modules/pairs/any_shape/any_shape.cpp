@@ -176,6 +176,18 @@ bool has_triangles(std::size_t place) {
   return have_triangles[place];
 }
 
+HeldTriangles held_triangles(const AnyShape& shape) {
+  return std::visit(
+      []<class S>(const S& s) -> HeldTriangles {
+        if constexpr (requires { HeldTriangles{s.vertices(), s.indices()}; }) {
+          return {s.vertices(), s.indices()};
+        } else {
+          return {};
+        }
+      },
+      shape);
+}
+
 std::span<const std::uint32_t> materials_of_children(const AnyShape& shape) {
   return std::visit(
       []<class S>(const S& s) -> std::span<const std::uint32_t> {

@@ -50,6 +50,12 @@ struct PlacedShape {
 [[nodiscard]] std::optional<Triangles> triangles_of(const AnyShape& shape);
 // Of the kind at a place.
 [[nodiscard]] bool has_triangles(std::size_t place);
+// The same without a copy, of shapes that hold their triangles; empty for others.
+struct [[gsl::Pointer]] HeldTriangles {
+  std::span<const Vec3> vertices{};
+  std::span<const std::uint32_t> indices{};  // three per triangle
+};
+[[nodiscard]] HeldTriangles held_triangles(const AnyShape& shape [[clang::lifetimebound]]);
 
 // Makes what queries of a shape, or of the children of a composite, make when they first need it.
 void prepare(const AnyShape& shape, const Workers& workers);

@@ -27,6 +27,11 @@ Fault check_of(const AnyShape& any, const S& shape, const E& edit) {
   }
 }
 
+template <class S>
+constexpr bool exchanges_vertices = requires(S& shape, std::vector<Vec3>& next) {
+  { shape.exchange(next) } -> std::same_as<Aabb>;
+};
+
 template <class S, class E>
 Aabb apply_to(S& shape, const E& edit) {
   if constexpr (Editable<S, E>) {
@@ -60,6 +65,41 @@ void own_shape(ShapeHandle& shape, const Edit& edit) {
 Aabb apply_edit(ShapeHandle& shape, const Edit& edit) {
   return std::visit([](auto& its, const auto& given) { return apply_to(its, given); },
                     static_cast<AnyShape::Variant&>(shape.own()), edit);
+}
+
+Fault check_next_vertices(const AnyShape& shape, std::span<const Vec3> next) {
+  return std::visit(
+      [&]<class S>(const S& its) -> Fault {
+        if constexpr (exchanges_vertices<S>) {
+          return its.check_next(next);
+        } else {
+          return no_such_part(kind_name(kind_of(shape)), VertexEdit::subject);
+        }
+      },
+      static_cast<const AnyShape::Variant&>(shape));
+}
+
+void own_vertices(ShapeHandle& shape) {
+  std::visit(
+      []<class S>(S& its) {
+        if constexpr (exchanges_vertices<S>) {
+          its.own();
+          its.make_room_for_next();
+        }
+      },
+      static_cast<AnyShape::Variant&>(shape.own()));
+}
+
+Aabb exchange_vertices(ShapeHandle& shape, std::vector<Vec3>& next) {
+  return std::visit(
+      [&]<class S>(S& its) {
+        if constexpr (exchanges_vertices<S>) {
+          return its.exchange(next);
+        } else {
+          return Aabb::everything();
+        }
+      },
+      static_cast<AnyShape::Variant&>(shape.own()));
 }
 
 }  // namespace abut

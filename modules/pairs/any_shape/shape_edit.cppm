@@ -20,4 +20,9 @@ void own_shape(ShapeHandle& shape, const Edit& edit);
 // else.
 Aabb apply_edit(ShapeHandle& shape, const Edit& edit);
 
+// All vertices of a mesh at once, in the same three steps. The last one exchanges them with `next`, which are as many.
+[[nodiscard]] Fault check_next_vertices(const AnyShape& shape, std::span<const Vec3> next);
+void own_vertices(ShapeHandle& shape);
+[[nodiscard]] Aabb exchange_vertices(ShapeHandle& shape, std::vector<Vec3>& next);
+
 }  // namespace abut

@@ -26,6 +26,7 @@ enum EventBits : std::uint32_t {
   event_pairs = 1,     // pairs that begin and end to touch
   event_persist = 2,   // also those that still touch
   event_contacts = 4,  // the same of each contact
+  event_elements = 8,  // and of each element contact
 };
 
 struct UniverseOptions {
@@ -138,7 +139,12 @@ struct ContactHistory {
 };
 
 enum class EventKind : std::uint32_t { begin, persist, end };
-enum EventFlags : std::uint32_t { event_of_sensor = 1, event_of_contact = 2, event_asleep = 4 };
+enum EventFlags : std::uint32_t {
+  event_of_sensor = 1,
+  event_of_contact = 2,
+  event_asleep = 4,
+  event_of_elements = 8,  // of an element contact
+};
 
 struct Event {
   EventKind kind;

@@ -67,24 +67,39 @@ Result<Mesh> UvGrid::make(std::span<const Real> parameters, std::span<const Real
   return Mesh::made(static_cast<Mesh::Sides>(parameters[0]), Mesh::ChosenTree::automatic, plan, reals, indices);
 }
 
-// Vertices move along the axis that is none of the grid. So triangles stay in their cells.
-Fault Mesh::check_stays_in_cells(const VertexEdit& edit) const {
-  if (!data_->cells) {
-    return std::nullopt;
-  }
+// Vertices move along the axis that is none of the grid. So triangles stay in their cells. `array`: the name of what
+// holds the place of the vertex, from number `first` on.
+Fault Mesh::check_stays_in_cell(std::uint32_t vertex, const Vec3& next, std::string_view array,
+                                std::size_t first) const {
   const CellPlan& plan = *data_->cells;
   constexpr std::array<std::string_view, 3> names{"X", "Y", "Z"};
-  const std::string height(names[static_cast<std::size_t>(3 - plan.u - plan.v)]);
-  for (std::size_t i = 0; i < edit.xyz.size() / 3; ++i) {
-    const std::uint32_t vertex = moved_vertex(edit, i);
-    const Vec3& present = data_->vertices[vertex];
-    for (const int axis : {plan.u, plan.v}) {
-      const std::size_t at = 3 * i + static_cast<std::size_t>(axis);
-      if (edit.xyz[at] != present[axis]) {
-        return error_about(Errc::out_of_range, "xyz[" + std::to_string(at) + "]", edit.xyz[at],
-                           to_text(present[axis]) + ", as vertex " + std::to_string(vertex) +
-                               " of a uv_grid moves along " + height + " only");
-      }
+  const Vec3& present = data_->vertices[vertex];
+  for (const int axis : {plan.u, plan.v}) {
+    if (next[axis] != present[axis]) {
+      const std::size_t at = first + static_cast<std::size_t>(axis);
+      const std::string height(names[static_cast<std::size_t>(3 - plan.u - plan.v)]);
+      return error_about(Errc::out_of_range, std::string(array) + "[" + std::to_string(at) + "]", next[axis],
+                         to_text(present[axis]) + ", as vertex " + std::to_string(vertex) +
+                             " of a uv_grid moves along " + height + " only");
+    }
+  }
+  return std::nullopt;
+}
+
+Fault Mesh::check_stays_in_cells(const VertexEdit& edit) const {
+  for (std::size_t i = 0; data_->cells && i < edit.xyz.size() / 3; ++i) {
+    const Vec3 next{edit.xyz[3 * i], edit.xyz[3 * i + 1], edit.xyz[3 * i + 2]};
+    if (Fault fault = check_stays_in_cell(moved_vertex(edit, i), next, "xyz", 3 * i)) {
+      return fault;
+    }
+  }
+  return std::nullopt;
+}
+
+Fault Mesh::check_next_stays_in_cells(std::span<const Vec3> next) const {
+  for (std::uint32_t vertex = 0; data_->cells && vertex < next.size(); ++vertex) {
+    if (Fault fault = check_stays_in_cell(vertex, next[vertex], "next", 3 * std::size_t{vertex})) {
+      return fault;
     }
   }
   return std::nullopt;

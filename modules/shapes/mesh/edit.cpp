@@ -59,16 +59,18 @@ Fault Mesh::check(const RecreationEdit& edit) const { return check_triangles("a 
 
 // Where no query has needed the tree so far, there is nothing to follow the change. A grid has it soon, and mostly
 // changes here and there: what it costs to follow does not grow with all triangles then.
-void Mesh::make_room_for_change() {
+void Mesh::make_room_for_change(bool follows_vertices) {
   make_room_in_other();
-  if (data_.own().inside.is_made()) {
+  if (follows_vertices && data_.own().inside.is_made()) {
     static_cast<void>(neighbours());
   }
   if (data_->cells) {
     static_cast<void>(tree());
   }
   if (std::optional<Bvh>& tree = data_.own().tree.made()) {
-    static_cast<void>(neighbours());
+    if (follows_vertices) {
+      static_cast<void>(neighbours());
+    }
     tree->make_room();
   }
 }
@@ -119,11 +121,16 @@ Aabb Mesh::apply(const VertexEdit& edit) {
   if (count == 0) {
     return {data.box.low, data.box.low};
   }
+  if (moves_most(edit)) {
+    place(edit);
+    return follow_all();
+  }
   std::uint32_t touched = 0;
   for (std::size_t i = 0; i < count; ++i) {
     touched |= sides_touched(data.box, data.vertices[moved_vertex(edit, i)]);
   }
   place(edit);
+  follow_inside(edit);
   if (!data.tree.is_made()) {
     data.box = box_of(data);
     settle_inside();
@@ -192,7 +199,66 @@ void Mesh::place(const VertexEdit& edit) {
   for (std::size_t i = 0; i < edit.xyz.size() / 3; ++i) {
     data.vertices[moved_vertex(edit, i)] = {edit.xyz[3 * i], edit.xyz[3 * i + 1], edit.xyz[3 * i + 2]};
   }
-  follow_inside(edit);
+}
+
+// After any number of vertices have moved: all that was made of them is fitted, in one pass each.
+Aabb Mesh::follow_all() {
+  Data& data = data_.own();
+  const auto visit_present = [&](const auto& visit) {
+    for (std::uint32_t triangle = 0; triangle < triangle_count(); ++triangle) {
+      if (!has_gone(triangle)) {
+        visit(triangle);
+      }
+    }
+  };
+  if (std::optional<MeshInside>& inside = data.inside.made()) {
+    visit_present([&](std::uint32_t triangle) { inside->move(triangle, data.vertices, data.indices); });
+    inside->change_everywhere();
+  }
+  if (!data.tree.is_made()) {
+    data.box = box_of(data);
+    settle_inside();
+    return Aabb::everything();
+  }
+  Aabb box = Aabb::empty();
+  Vec3 widest{0, 0, 0};
+  Bvh& tree = *data.tree.made();
+  tree.move_all([&](std::uint32_t triangle) {
+    const Aabb its = box_around(corners(triangle));
+    box.include(its);
+    widest = maximum(widest, its.high - its.low);
+    return its;
+  });
+  if (data.other.is_made()) {
+    visit_present([&](std::uint32_t triangle) { touch_in_other(triangle); });
+    settle_other();
+  }
+  const Aabb changed = tree.settle(), before = std::exchange(data.box, box);
+  // As far as triangles beside those that moved reach, before and after.
+  const Vec3 reach = maximum(widest, std::exchange(data.widest, widest));
+  settle_inside();
+  const bool has_same_box = before.low == box.low && before.high == box.high;
+  return has_same_box && !is_solid() ? Aabb{changed.low - reach, changed.high + reach} : Aabb::everything();
+}
+
+Fault Mesh::check_next(std::span<const Vec3> next) const {
+  const auto name_of = [](std::size_t at) { return "next[" + std::to_string(at) + "]"; };
+  for (std::size_t i = 0; i < next.size(); ++i) {
+    if (largest_magnitude(next[i]) <= largest_coordinate) {
+      continue;
+    }
+    for (const int axis : {0, 1, 2}) {
+      if (Fault fault = check_finite(name_of(3 * i + static_cast<std::size_t>(axis)), next[i][axis])) {
+        return fault;
+      }
+    }
+  }
+  return check_next_stays_in_cells(next);
+}
+
+Aabb Mesh::exchange(std::vector<Vec3>& next) {
+  data_.own().vertices.swap(next);
+  return follow_all();
 }
 
 void Mesh::take_out(std::uint32_t triangle) {

@@ -135,6 +135,9 @@ class Mesh {
                            : std::optional(RayHit{nearest, part(hit).normal(), {FeatureKind::face, hit}});
   }
   [[nodiscard]] Triangles triangles() const { return {data_->vertices, data_->indices}; }
+  // The same without a copy.
+  [[nodiscard]] std::span<const Vec3> vertices() const [[clang::lifetimebound]] { return data_->vertices; }
+  [[nodiscard]] std::span<const std::uint32_t> indices() const [[clang::lifetimebound]] { return data_->indices; }
 
   // See Enclosing.
   [[nodiscard]] inline bool is_solid() const { return data_->sides == Sides::solid; }
@@ -151,12 +154,18 @@ class Mesh {
   [[nodiscard]] Fault check(const RemovalEdit& edit) const;
   [[nodiscard]] Fault check(const RecreationEdit& edit) const;
   void own() { static_cast<void>(data_.own()); }
-  void make_room(const VertexEdit&) { make_room_for_change(); }
-  void make_room(const RemovalEdit&) { make_room_for_change(); }
+  void make_room(const VertexEdit& edit) { make_room_for_change(!moves_most(edit)); }
+  void make_room(const RemovalEdit&) { make_room_for_change(true); }
   void make_room(const RecreationEdit& edit);
   [[nodiscard]] Aabb apply(const VertexEdit& edit);
   [[nodiscard]] Aabb apply(const RemovalEdit& edit);
   [[nodiscard]] Aabb apply(const RecreationEdit& edit);
+
+  // All vertices at once, in the same steps as edits: `next`, as many as there are, become the vertices, and it gets
+  // those that were.
+  [[nodiscard]] Fault check_next(std::span<const Vec3> next) const;
+  void make_room_for_next() { make_room_for_change(false); }
+  [[nodiscard]] Aabb exchange(std::vector<Vec3>& next);
 
  private:
   // What stops other shapes: both sides of triangles, their fronts, or all that is inside.
@@ -210,7 +219,13 @@ class Mesh {
   void touch_in_other(std::uint32_t triangle);
   void settle_other();
   [[nodiscard]] Aabb follow(std::uint32_t touched, const Aabb& moved);
-  void make_room_for_change();
+  // `follows_vertices`: whether what lies around single vertices is asked for.
+  void make_room_for_change(bool follows_vertices);
+  // One pass through all triangles costs less than what lies around so many vertices.
+  [[nodiscard]] bool moves_most(const VertexEdit& edit) const {
+    return edit.xyz.size() / 3 >= data_->vertices.size() / 2 + 1;
+  }
+  [[nodiscard]] Aabb follow_all();
   void place(const VertexEdit& edit);
   void take_out(std::uint32_t triangle);
   // Calls visit(triangle) for all around the vertices of an edit: once each where these are a range.
@@ -260,7 +275,10 @@ class Mesh {
   [[nodiscard]] static Fault check_sides(Real sides);
   [[nodiscard]] static Mesh made(Sides sides, ChosenTree chosen, const std::optional<CellPlan>& cells,
                                  std::span<const Real> reals, std::span<const std::uint32_t> indices);
+  [[nodiscard]] Fault check_stays_in_cell(std::uint32_t vertex, const Vec3& next, std::string_view name,
+                                          std::size_t first) const;
   [[nodiscard]] Fault check_stays_in_cells(const VertexEdit& edit) const;
+  [[nodiscard]] Fault check_next_stays_in_cells(std::span<const Vec3> next) const;
   static void fill(Data& data, std::span<const Real> reals, std::span<const std::uint32_t> indices);
   [[nodiscard]] static Aabb box_of(const Data& data);
   [[nodiscard]] Bvh make_tree(const Workers& workers) const;

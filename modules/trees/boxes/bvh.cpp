@@ -119,6 +119,43 @@ bool Bvh::is_worn(std::uint32_t node, double surface, double sum) const {
   return wear_[node].height > 1 && sum > most * wear_[node].first * surface;
 }
 
+void Bvh::weigh_moved(std::uint32_t node) {
+  const EightBoxes& its = nodes_[node];
+  // All lanes at once. What has no extent, or none that is told, counts as nothing; so does a lane without a box.
+  using Doubles = double __attribute__((ext_vector_type(8)));
+  const Doubles x = __builtin_convertvector(its.side(0), Doubles) + __builtin_convertvector(its.side(3), Doubles);
+  const Doubles y = __builtin_convertvector(its.side(1), Doubles) + __builtin_convertvector(its.side(4), Doubles);
+  const Doubles z = __builtin_convertvector(its.side(2), Doubles) + __builtin_convertvector(its.side(5), Doubles);
+  const Doubles surfaces = x * y + y * z + z * x;
+  double sum = 0;
+  for (std::uint32_t left = its.present(); left != 0; left &= left - 1) {
+    const auto lane = static_cast<std::size_t>(std::countr_zero(left));
+    const double surface = surfaces[lane];
+    sum += surface < std::numeric_limits<double>::infinity() ? surface : 0;
+    if (!EightBoxes::is_item(its.numbers[lane])) {
+      sum += wear_[its.numbers[lane]].sum;
+    }
+  }
+  const double surface = surface_of_node(node);
+  Wear& wear = wear_[node];
+  wear.sum = sum;
+  wear.untold = 0;
+  // What has become better may be expected from then on.
+  wear.first = std::min(wear.first, sum / surface);
+  const std::uint64_t bit = std::uint64_t{1} << node % 64;
+  std::uint64_t& word = stale_[node / 64];
+  word = is_worn(node, surface, sum) ? word | bit : word & ~bit;
+}
+
+void Bvh::leave_to_parents() {
+  const auto is_noted = [&](std::size_t node) { return (stale_[node / 64] >> node % 64 & 1) != 0; };
+  for (std::size_t node = nodes_.size(); node-- > 1;) {
+    if (is_noted(node) && is_noted(parents_[node] / EightBoxes::width)) {
+      stale_[node / 64] ^= std::uint64_t{1} << node % 64;
+    }
+  }
+}
+
 bool Bvh::is_worn() const { return is_worn(0, surface_of_node(0), wear_[0].sum); }
 
 void Bvh::set_lane(std::uint32_t place, const BoxSides& sides) {

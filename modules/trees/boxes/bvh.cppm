@@ -116,6 +116,30 @@ class Bvh {
     }
   }
   void move(std::uint32_t item, const Aabb& box);
+  // The same for all items at once, each of which box_of(item) gives a box that is not empty: one pass through the
+  // nodes. Call settle after it.
+  template <class BoxOf>
+  void move_all(const BoxOf& box_of) {
+    const BoxSides before = nodes_[0].sides_around();
+    // Children come after their parents.
+    for (std::size_t node = nodes_.size(); node-- > 0;) {
+      EightBoxes& its = nodes_[node];
+      for (std::size_t lane = 0; lane < EightBoxes::width; ++lane) {
+        const std::uint32_t child = its.numbers[lane];
+        if (child == nobody) {
+          continue;
+        }
+        if (EightBoxes::is_item(child)) {
+          its.set_sides(lane, entry_of(box_of(EightBoxes::item_of(child)), child).sides());
+        } else {
+          its.set_sides(lane, nodes_[child].sides_around());
+        }
+      }
+      weigh_moved(static_cast<std::uint32_t>(node));
+    }
+    leave_to_parents();
+    changed_ = merged(changed_, merged(before, nodes_[0].sides_around()));
+  }
   // Asks the memory for what move needs of an item: first where it lies, and later, when that has come, its node.
   inline void fetch_place(std::uint32_t item) const {
     if (item < places_.size()) {
@@ -256,6 +280,10 @@ class Bvh {
   [[nodiscard]] bool is_worn(std::uint32_t node, double surface, double sum) const;
   // As a node whose form has just been made, below one of a height. Its children are known already.
   void weigh(std::uint32_t node, std::uint32_t made_below);
+  // After all boxes of a node have been set, and those of all nodes below it: notes whether it has worn.
+  void weigh_moved(std::uint32_t node);
+  // Of nodes that have worn, only those remain noted whose parents have not.
+  void leave_to_parents();
   // Makes the tree below a node anew, if that is better.
   void renew(std::uint32_t node);
 

@@ -144,7 +144,10 @@ TEST(ElementContacts, RenumberingChangesNoDistance) {
   EXPECT_EQ(told_of(mesh, false), told_of(other, true));
 }
 
-bool have_same_bits(const std::vector<abut_element_contact>& a, const std::vector<abut_element_contact>& b) {
+// But for their ages.
+bool have_same_bits(std::vector<abut_element_contact> a, std::vector<abut_element_contact> b) {
+  for (abut_element_contact& its : a) its.age = 0;
+  for (abut_element_contact& its : b) its.age = 0;
   return a.size() == b.size() &&
          (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(abut_element_contact)) == 0);
 }

@@ -13,8 +13,10 @@ inline abut_policy elements_policy(double reach, abut_closest_method method = AB
   policy.method = method;
   return policy;
 }
-inline abut_universe_options margin_options(std::uint32_t threads = 1) {
+inline abut_universe_options margin_options(std::uint32_t threads = 1,
+                                            abut_event_bits events = ABUT_EVENTS_PAIRS | ABUT_EVENTS_PERSIST) {
   abut_universe_options options = default_universe_options();
+  options.events = events;
   options.tolerance_mode = ABUT_TOLERANCE_MARGIN;
   options.threads = threads_of_build(threads);
   return options;
@@ -37,8 +39,9 @@ inline Shape shape_of(const Surface& mesh) { return make_of_kind("mesh", {0}, me
 // Meshes of tag 0, each on a part.
 class Cloths {
  public:
-  explicit Cloths(const abut_policy& policy, std::uint32_t threads = 1)
-      : options_(margin_options(threads)), universe_(&options_) {
+  explicit Cloths(const abut_policy& policy, std::uint32_t threads = 1,
+                  abut_event_bits events = ABUT_EVENTS_PAIRS | ABUT_EVENTS_PERSIST)
+      : options_(margin_options(threads, events)), universe_(&options_) {
     set_policy(policy);
   }
 

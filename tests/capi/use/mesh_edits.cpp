@@ -119,6 +119,20 @@ struct Edited {
     require(abut_geometry_set_vertices_at(universe, mesh, vertices.data(), places.empty() ? nullptr : &places.front().x,
                                           vertices.size()));
   }
+  // All at once, by numbers or by the vertices that the universe lends.
+  void move_all(double reach) {
+    for (std::size_t i = 0; i < model.vertex_count(); ++i) moved(i, reach);
+    require(abut_geometry_set_vertices(universe, mesh, 0, model.xyz.data(), model.vertex_count()));
+  }
+  void advance(double reach) {
+    double* next = nullptr;
+    std::size_t count = 0;
+    require(abut_geometry_next_vertices(universe, mesh, &next, &count));
+    ASSERT_EQ(count, model.vertex_count());
+    for (std::size_t i = 0; i < count; ++i) moved(i, reach);
+    std::copy(model.xyz.begin(), model.xyz.end(), next);
+    require(abut_geometry_advance(universe, mesh));
+  }
   void remove() {
     std::vector<std::uint32_t> going;
     for (std::size_t i = random.below(12); i > 0; --i) {
@@ -135,7 +149,9 @@ struct Edited {
                                    model.triangle_count()));
   }
   void change() {
-    switch (random.below(12)) {
+    switch (random.below(14)) {
+      case 12: return move_all(random.below(3) == 0 ? 2 : 0.1);
+      case 13: return advance(random.below(3) == 0 ? 2 : 0.1);
       case 0: return make_anew();
       case 1: return move_range(2);
       case 2:

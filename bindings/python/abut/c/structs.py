@@ -574,6 +574,8 @@ class ElementContact(Struct):
     stencil: Stencil
     gap: Double
     id: UInt64
+    age: UInt32
+    reserved: UInt32
 
 
 @struct

@@ -3,12 +3,13 @@
 
 from __future__ import annotations
 
-from ctypes import byref, c_double, c_size_t, c_uint32, c_void_p
+import ctypes
+from ctypes import POINTER, byref, c_double, c_size_t, c_uint32, c_void_p
 from typing import Any
 
 from .. import answers, c, given, options
 from ..c import library
-from ..lending import Lender
+from ..lending import Borrowed, Lender
 from ..records import Records
 from ..shapes import Shape
 from .parts import _fit, numbers_of_each
@@ -149,6 +150,36 @@ class Geometries(Lender):
         if len(listed) != count:
             raise ValueError(f"xyz has {count} and vertices has {len(listed)}; they must have as many elements")
         self._change(library.abut_geometry_set_vertices_at, geometry, listed, places, count)
+
+    def vertices(self, geometry: c.GeometryId) -> Records:
+        """Vertices of a mesh as they are now, in the frame of its shape."""
+        out = []
+
+        def copy(pointer):
+            xyz, count = POINTER(c_double)(), c_size_t()
+            library.abut_geometry_vertices(pointer, geometry, byref(xyz), byref(count))
+            memory = (c.Vec3 * count.value)()
+            ctypes.memmove(memory, xyz, ctypes.sizeof(memory))
+            out.append(Records(memory))
+
+        self._read(copy)
+        return out[0]
+
+    def next_vertices(self, geometry: c.GeometryId) -> Borrowed:
+        """Memory of the universe for where the vertices of a mesh move next: write into its `array`, then advance.
+
+        Good until the universe changes. Then ask again: what was written is still there, until the geometry advances.
+        """
+        xyz, count = POINTER(c_double)(), c_size_t()
+        self._change(library.abut_geometry_next_vertices, geometry, byref(xyz), byref(count))
+        return Borrowed(self, c.Vec3, ctypes.cast(xyz, c_void_p).value or 0, count.value, self.change_count)
+
+    def advance(self, geometries: Any) -> None:
+        """The next vertices of one geometry, or of several, become the present ones: of all, or of none."""
+        if isinstance(geometries, c.GeometryId):
+            self._change(library.abut_geometry_advance, geometries)
+        else:
+            self._change_geometries(library.abut_geometries_advance, geometries)
 
     def remove_triangles(self, geometry: c.GeometryId, triangles: Any) -> None:
         """Takes triangles out of a mesh; the others keep their numbers."""

@@ -8,7 +8,7 @@
 #include <vector>
 
 import abut.capability;
-import abut.detect.lists.contact_index;
+import abut.detect.pairs.contact_index;
 import abut.scene.state.options;
 
 namespace {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Where the contacts of a pair were a detection ago, by their numbers.
-export module abut.detect.lists.contact_index;
+export module abut.detect.pairs.contact_index;
 import abut.capability;
 import abut.core.standard;
 import abut.scene.state.options;
