@@ -39,8 +39,9 @@ class ElementStage {
  public:
   // Once boxes are up to date: reads the vertices of what is fresh, and finds the pairs that may touch on the ways of
   // vertices. What is fast and has `lent` vertices moves from the present ones to those. All else moves from where it
-  // was in the last step with time to the present ones. Returns whether these pairs are others than before. O(geometries that
-  // may have such pairs), and O(n) of those that are fresh; with time also O(fast ones * all of them).
+  // was in the last step with time to the present ones. Returns whether these pairs are others than before.
+  // O(geometries that may have such pairs), and O(n) of those that are fresh; with time also O(fast ones * all of
+  // them).
   [[nodiscard]] bool follow(const BoxFrame& frame, const PolicyTable& policies, const Space& space,
                             std::span<const std::uint32_t> fresh, const LentVertices& lent, bool has_time,
                             Places& places);

@@ -32,10 +32,17 @@ auto ask_source(const Member& member, Ask&& ask) {
   return *answer;
 }
 
-std::size_t triangle_count_of(const AnyShape& shape) {
-  std::size_t count = 0;
-  with_surface(shape, [&](const auto& surface) { count = surface.triangle_count(); });
-  return count;
+// Above the numbers of all triangles of a surface.
+std::size_t part_end_of(const AnyShape& shape) {
+  std::size_t end = 0;
+  with_surface(shape, [&]<class S>(const S& surface) {
+    if constexpr (requires { surface.part_end(); }) {
+      end = surface.part_end();
+    } else {
+      end = surface.triangle_count();
+    }
+  });
+  return end;
 }
 
 // All members stop alike.
@@ -47,7 +54,7 @@ class SurfaceGroup final : public TriangleSource {
       const AnyShape& shape = is_surface_a ? *pair.a : *pair.b;
       members_.push_back({&shape, is_surface_a ? pair.pose_a : pair.pose_b, is_surface_a ? pair.child_a : pair.child_b,
                           static_cast<std::uint32_t>(first)});
-      first += triangle_count_of(shape);
+      first += part_end_of(shape);
     }
   }
 

@@ -94,6 +94,11 @@ class HeightField {
   [[nodiscard]] std::size_t triangle_count() const {
     return 2 * (std::size_t{data_->columns} - 1) * (std::size_t{data_->rows} - 1);
   }
+  // Above the numbers of all triangles, walls and floors included.
+  [[nodiscard]] std::size_t part_end() const {
+    const std::size_t border = 2 * (std::size_t{data_->columns} - 1 + std::size_t{data_->rows} - 1);
+    return data_->is_solid ? 2 * triangle_count() + 2 * border : triangle_count();
+  }
   template <class Visitor>
   void visit_below(const Vec3& direction, Real& limit, Visitor&& visit) const {
     const Data& field = *data_;

@@ -52,6 +52,34 @@ TEST(Composite, MeetsAsItsChildrenDo) {
   }
 }
 
+// Walls and floors have numbers behind those of the grid, and so have the triangles of the child that comes next.
+TEST(Composite, OfASolidFieldAndASolidMeshIsTheSameInEitherOrder) {
+  const Shape field = make_of_kind("height_field", {4, 4, 1, 1, 0, 1}, std::vector<double>(16, 0.0), {});
+  const Shape mesh = make_of_kind("mesh", {2}, {-1, -1, -1, 1, -1, -1, 1, 1, -1, -1, 1, -1,  //
+                                                -1, -1, 1,  1, -1, 1,  1, 1, 1,  -1, 1, 1},
+                                  {0, 2, 1, 0, 3, 2, 4, 5, 6, 4, 6, 7, 0, 1, 5, 0, 5, 4,  //
+                                   1, 2, 6, 1, 6, 5, 2, 3, 7, 2, 7, 6, 3, 0, 4, 3, 4, 7});
+  const abut_pose beside = at(1, -1.5, 0);
+  const Shape field_first = make_composite(std::vector<const abut_shape*>{field, mesh}, {identity, beside});
+  const Shape mesh_first = make_composite(std::vector<const abut_shape*>{mesh, field}, {beside, identity});
+  const Shape ball = make_sphere(0.5);
+  EXPECT_NEAR(distance_of(field_first, identity, ball, at(-0.4, 2, -1)), -0.1, 1e-12);   // a wall
+  EXPECT_NEAR(distance_of(field_first, identity, ball, at(2.6, 2, -3.3)), -0.2, 1e-12);  // the floor
+  std::mt19937_64 random(11);
+  std::uniform_real_distribution<double> x(-0.5, 3.5), y(-3, 3.5), z(-3.5, 1.5);
+  int deep = 0;
+  for (int i = 0; i < 200; ++i) {
+    const abut_pose pose = at(x(random), y(random), z(random));
+    const double distance = distance_of(mesh_first, identity, ball, pose);
+    EXPECT_NEAR(distance_of(field_first, identity, ball, pose), distance, 1e-9);
+    auto contacts = contacts_of(field_first, identity, ball, pose, 0.01);
+    EXPECT_EQ(contacts.size(), contacts_of(mesh_first, identity, ball, pose, 0.01).size());
+    for (const abut_contact& contact : contacts) EXPECT_LT(contact.child_a, 2U);
+    deep += distance < -0.5 ? 1 : 0;
+  }
+  EXPECT_GT(deep, 40);
+}
+
 TEST(Composite, ReportsTheMaterialsOfItsChildren) {
   const Shape ball = make_sphere(0.5);
   const std::array<const abut_shape*, 3> children{ball, ball, ball};

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Contacts of a universe: their order, their ids, how long they can be read.
+#include <algorithm>
 #include <cmath>
+#include <random>
 #include <set>
 #include <tuple>
 
@@ -51,6 +53,35 @@ TEST(Contacts, KeepTheRecordsPromises) {
     EXPECT_TRUE(ids.insert({contact.geometry_a.slot, contact.geometry_b.slot, contact.id}).second)
         << "ids differ within a pair";
   }
+}
+
+// Lines that are parallel but for a thousandth: points lie aside by no more than that share of the stretch. The deepest
+// contact, and all of lines that are further from parallel, lie opposite each other.
+TEST(Contacts, OfLinesThatAreNearlyParallelLieNearlyOpposite) {
+  const Shape cylinder = make_of_kind("cylinder", {1, 0.5}), capsule = make_of_kind("capsule", {0.5, 1});
+  std::mt19937_64 random(17);
+  std::uniform_real_distribution<double> one(-1, 1);
+  double most_nearly = 0;
+  for (const double angle : {3e-4, 0.003, 0.05}) {
+    for (int i = 0; i < 100; ++i) {
+      const double x = one(random), y = one(random), z = 0.3 * one(random), scale = angle / std::hypot(x, y, z);
+      const abut_pose pose{{0.3 + 0.1 * one(random), 0.2, 0.5 + 0.1 * one(random)},
+                           {1, 0.5 * scale * x, 0.5 * scale * y, 0.5 * scale * z}};
+      const auto contacts = contacts_of(cylinder, pose, capsule, identity, 0);
+      ASSERT_FALSE(contacts.empty());
+      for (const abut_contact& contact : contacts) {
+        const auto aside_along = [&](double abut_vec3::* axis) {
+          return contact.point_b.*axis - contact.point_a.*axis - contact.distance * contact.normal.*axis;
+        };
+        const double aside =
+            std::hypot(aside_along(&abut_vec3::x), aside_along(&abut_vec3::y), aside_along(&abut_vec3::z));
+        const bool is_deepest = &contact == &contacts[0];
+        EXPECT_LE(aside, is_deepest || angle > 0.01 ? 1e-12 : 1e-3) << angle << " " << i;
+        most_nearly = std::max(most_nearly, aside);
+      }
+    }
+  }
+  EXPECT_GT(most_nearly, 1e-6);
 }
 
 TEST(Contacts, OfAPairAreAtMostFourByDefault) {
