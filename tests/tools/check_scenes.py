@@ -127,6 +127,26 @@ class Scenes(program.Case):
         self.assertEqual(pairs(contacts), {("plate", "standing"): 4})
         self.assertTrue(all(math.isclose(c["distance"], -0.01, rel_tol=1e-9) for c in contacts))
 
+    def test_scene_fast(self):
+        # The bullet has 4.89 to go; the plain one is as far away, and has no contact.
+        contacts = self.contacts(program.SCENES / "fast.json")
+        self.assertEqual(pairs(contacts), {("wall", "bullet"): 1})
+        self.assertAlmostEqual(contacts[0]["distance"], 4.89, delta=1e-12)
+
+    def test_scene_cloth(self):
+        # The last file stays where the sequence is over, so its contact ages.
+        contacts = self.contacts(program.SCENES / "cloth.json")
+        self.assertEqual([(c["step"], c["age"]) for c in contacts], [(3, 0), (4, 1)])
+        document = json.loads((program.SCENES / "cloth.json").read_text())
+        sequence = document["parts"][0]["geometries"][0]["sequence"]
+        sequence["files"] = [str(program.SCENES / file) for file in sequence["files"]]
+        document["parts"][0]["geometries"][0]["shape"]["file"] = sequence["files"][0]
+        sequence["repeat"] = True
+        self.assertEqual([c["step"] for c in self.contacts(self.scene(document), "--steps", 6)], [3, 6])
+        explained = self.succeed("explain", program.SCENES / "cloth.json", "--steps", 4).stdout
+        self.assertIn("islands: 1 of 1 part", explained)
+        self.assertIn("mesh - itself: 1 candidate, 1 examined", explained)
+
     def test_scene_scatter(self):
         # Where the balls are, by the same generator written again; those nearer than two radii touch.
         numbers = splitmix(1)
@@ -198,6 +218,60 @@ class Helpers(program.Case):
         self.assertEqual(len(self.contacts(self.scene(document))), 1)
         document["universe"]["tolerance_mode"] = "dead_band"
         self.assertEqual(len(self.contacts(self.scene(document))), 0)
+
+    def test_speculative_and_measured_velocities(self):
+        ball = {"shape": {"kind": "sphere", "radius": 1}, "speculative": True}
+        document = {"version": 1, "dt": 1, "steps": 3, "parts": [
+            {"name": "a", "velocity": {"linear": [1, 0, 0]}, "geometries": [ball]},
+            {"name": "b", "motion": "static", "pose": {"position": [2.5, 0, 0]}, "geometries": [{"shape": ball["shape"]}]}]}
+        # Within one step the ball would go twice as far as the gap.
+        self.assertEqual([c["distance"] for c in self.contacts(self.scene(document), "--steps", 1)], [0.5])
+        del ball["speculative"]
+        self.assertEqual(self.contacts(self.scene(document)), [])
+        document["parts"][0]["script"] = {"velocity": [1, 0, 0]}
+        for velocity, told in (("measured", "1 from poses"), ({"spin": {"axis": [0, 0, 2], "degrees_per_second": 90}}, "1 given")):
+            document["parts"][0]["velocity"] = velocity
+            self.assertIn(told, self.succeed("explain", self.scene(document), "--steps", 2).stdout)
+
+    def test_caps_welds_and_sides(self):
+        tile = {"shape": {"kind": "box", "half": [1, 1, 1]}}
+        document = {"version": 1, "universe": {"max_contacts": 0}, "parts": [
+            {"name": "a", "motion": "static", "pose": {"position": [0, 0, -1]}, "geometries": [tile]},
+            {"name": "c", "motion": "static", "pose": {"position": [2, 0, -1]}, "geometries": [tile]},
+            {"name": "b", "pose": {"position": [0.505, 0, 0.49]},
+             "geometries": [{"shape": {"kind": "box", "half": [0.5, 0.5, 0.5]}}]}]}
+        many = self.contacts(self.scene(document))
+        document["universe"]["max_pair_contacts"] = 1
+        self.assertEqual(set(pairs(self.contacts(self.scene(document))).values()), {1})
+        document["universe"] = {"max_contacts": 0, "welds": True}
+        welded = self.contacts(self.scene(document))
+        # Beside each other the tiles have no side that pushes along x.
+        self.assertIn(1, {abs(c["normal"][0]) for c in many})
+        self.assertEqual({abs(c["normal"][2]) for c in welded}, {1})
+        sheet = {"kind": "mesh", "vertices": [[-9, -9, 0], [9, -9, 0], [0, 9, 0]], "triangles": [[0, 1, 2]]}
+        low = {"version": 1, "dt": 1, "steps": 2, "parts": [
+            {"name": "sheet", "motion": "static", "geometries": [{"shape": sheet, "keeps_side": True}]},
+            {"name": "ball", "pose": {"position": [0, 0, 0.95]}, "script": {"velocity": [0, 0, -1.5]},
+             "geometries": [{"shape": {"kind": "sphere", "radius": 1}}]}]}
+        # From above at first; the centre has passed the sheet at the second step.
+        self.assertAlmostEqual(self.contacts(self.scene(low))[-1]["distance"], -1.55, delta=1e-9)
+        low["parts"][0]["geometries"][0]["keeps_side"] = False
+        self.assertAlmostEqual(self.contacts(self.scene(low))[-1]["distance"], -0.45, delta=1e-9)
+
+    def test_distance_fields(self):
+        corners = [(x, y, z) for x in (-1, 1) for y in (-1, 1) for z in (-1, 1)]
+        faces = ["1 2 4 3", "5 7 8 6", "1 5 6 2", "3 4 8 7", "1 3 7 5", "2 6 8 4"]
+        (self.folder / "box.obj").write_text("".join(f"v {x} {y} {z}\n" for x, y, z in corners) +
+                                             "".join(f"f {face}\n" for face in faces))
+        self.assertAlmostEqual(self.lowest({"kind": "distance_field", "file": "box.obj", "spacing": 0.1}, {}), -1, delta=1e-9)
+        reals = [max(abs(x - 1), abs(y - 1), abs(z - 1)) - 0.5 for z in range(3) for y in range(3) for x in range(3)]
+        samples = {"kind": "distance_field", "columns": 3, "rows": 3, "layers": 3, "spacing": [1, 1, 1],
+                   "origin": [-1, -1, -1], "is_inside_out": False, "reals": reals}
+        document = self.document()
+        document["parts"] = [{"name": "field", "motion": "static", "geometries": [{"shape": samples}]},
+                             {"name": "ball", "pose": {"position": [0, 0, 0.7]}, "geometries": [
+                                 {"shape": {"kind": "sphere", "radius": 0.25}}]}]
+        self.assertAlmostEqual(self.contacts(self.scene(document))[0]["distance"], -0.05, delta=1e-9)
 
     def test_arrays_of_shapes(self):
         (self.folder / "points.txt").write_text("0 0 -1, 1 0 0\n-1 0 0 0 1 0")

@@ -91,6 +91,11 @@ Encounter Encounters::between(std::size_t a, std::size_t b) const {
   its.answers.push_back(boxes_only ? answer_of_boxes(a, b) : answer_of_distance(*world_, its, policy));
   const auto found = contacts_.find(std::minmax(a, b));
   its.contacts = found == contacts_.end() ? 0 : found->second;
+  GateAnswer& last = its.answers.back();
+  if (its.contacts > 0 && !last.is_open) {
+    last.is_open = true;
+    last.says += "; they touch on the way of a step, since one of them is fast or speculative";
+  }
   const auto closed = std::ranges::find(its.answers, false, &GateAnswer::is_open);
   const bool has_no_contacts = boxes_only || policy.detail == ABUT_DETAIL_TOUCH;
   its.touches = its.contacts > 0 || (has_no_contacts && closed == its.answers.end());

@@ -12,6 +12,36 @@ namespace {
 constexpr std::array<Choice, 3> parkings{
     {{"none", ABUT_PARKING_NONE}, {"short_term", ABUT_PARKING_SHORT_TERM}, {"long_term", ABUT_PARKING_LONG_TERM}}};
 
+constexpr std::array<Choice, 4> flags{{{"fast", ABUT_GEOMETRY_FAST},
+                                       {"speculative", ABUT_GEOMETRY_SPECULATIVE},
+                                       {"keeps_side", ABUT_GEOMETRY_KEEPS_SIDE},
+                                       {"self_pairs", ABUT_GEOMETRY_SELF_PAIRS}}};
+
+// {"files": [...], "scale": 1, "repeat": false}: where the vertices of a mesh are in each step.
+std::size_t read_sequence(const Node& node, Scene& scene) {
+  Fields fields(node);
+  const std::vector<Node> files = fields.need("files").list("files of a sequence, one for each step");
+  const auto scale = fields.find("scale");
+  const auto repeat = fields.find("repeat");
+  fields.done();
+  if (files.empty()) {
+    node.refuse("at least one file");
+  }
+  Sequence sequence{node.path(), {}, repeat && repeat->flag()};
+  for (const Node& file : files) {
+    std::vector<double> vertices = scene.shapes.vertices_of(file);
+    const double factor = scale ? scale->positive() : 1.0;
+    std::ranges::transform(vertices, vertices.begin(), [&](double each) { return each * factor; });
+    if (!sequence.vertices.empty() && vertices.size() != sequence.vertices[0].size()) {
+      file.refuse("a file with as many vertices as the first one, which has " +
+                  std::to_string(sequence.vertices[0].size() / 3));
+    }
+    sequence.vertices.push_back(std::move(vertices));
+  }
+  scene.sequences.push_back(std::move(sequence));
+  return scene.sequences.size() - 1;
+}
+
 // Whom it meets: layers, mask, exclusion, label and parking.
 void read_filters(Fields& fields, const Scene& scene, abut_geometry_options& options) {
   if (const auto layers = fields.find("layers")) {
@@ -45,6 +75,14 @@ Geometry read_geometry(const Node& node, Scene& scene) {
   }
   if (const auto sensor = fields.find("sensor"); sensor && sensor->flag()) {
     geometry.options.flags |= ABUT_GEOMETRY_SENSOR;
+  }
+  for (const Choice& flag : flags) {
+    if (const auto chosen = fields.find(std::string(flag.name)); chosen && chosen->flag()) {
+      geometry.options.flags |= flag.value;
+    }
+  }
+  if (const auto sequence = fields.find("sequence")) {
+    geometry.sequence = read_sequence(*sequence, scene);
   }
   if (const auto tag = fields.find("tag")) {
     geometry.options.tag = scene.tags.number(*tag);

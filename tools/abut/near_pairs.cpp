@@ -36,7 +36,7 @@ std::vector<Box> boxes_of(const World& world) {
     const Geometry& geometry = world.scene().geometries[i];
     const abut_pose pose = world.pose_of(i);
     abut_aabb box;
-    check(abut_shape_aabb(geometry.shape, &pose, &box), "box of a geometry");
+    check(abut_shape_aabb(world.shape_of(i), &pose, &box), "box of a geometry");
     const double by = growth(world.scene(), geometry);
     boxes.push_back({i, {box.minimum - abut_vec3{by, by, by}, box.maximum + abut_vec3{by, by, by}}});
   }
@@ -56,7 +56,15 @@ std::vector<NumberPair> near_pairs(const World& world) {
       }
     }
   }
+  // Fast and speculative geometries touch what their boxes at the end of a step do not reach.
+  for (const abut_contact& contact : contacts_of(world.universe())) {
+    pairs.emplace_back(std::minmax(world.number_of(contact.geometry_a), world.number_of(contact.geometry_b)));
+  }
   std::ranges::sort(pairs);
+  const auto repeated = std::ranges::unique(pairs);
+  pairs.erase(repeated.begin(), repeated.end());
+  // A mesh that meets itself is no pair of two.
+  std::erase_if(pairs, [](const NumberPair& pair) { return pair.first == pair.second; });
   return pairs;
 }
 

@@ -13,8 +13,8 @@ namespace cli {
 /// Two geometries by their numbers in the scene, the lesser first.
 using NumberPair = std::pair<std::size_t, std::size_t>;
 
-/// Pairs whose boxes overlap, in ascending order; parked geometries count as well. Boxes are as large as tolerances
-/// make them. O(n log n + pairs whose boxes overlap along X).
+/// Pairs whose boxes overlap or that have contacts, in ascending order; parked geometries count as well. Boxes are as
+/// large as tolerances make them. O(n log n + pairs whose boxes overlap along X).
 [[nodiscard]] std::vector<NumberPair> near_pairs(const World& world);
 
 /// How many near pairs a gate keeps apart, and the first of them.

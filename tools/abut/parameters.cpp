@@ -39,9 +39,10 @@ double read_parameter(Fields& fields, const std::string& kind, const std::string
 
 bool is_optional(std::string_view kind, std::string_view parameter) {
   // All but one are 0 then: the second axis of a grid is Y.
-  constexpr std::array<std::string_view, 11> with_defaults{"offset",    "one_sided",  "sides",    "solid_below",
-                                                           "open_ends", "open_faces", "diagonal", "axis_u",
-                                                           "axis_v",    "cells_u",    "cells_v"};
+  constexpr std::array<std::string_view, 15> with_defaults{
+      "interpolation", "lattice_columns", "lattice_rows", "lattice_layers", "offset",
+      "one_sided",     "sides",           "solid_below",  "open_ends",      "open_faces",
+      "diagonal",      "axis_u",          "axis_v",       "cells_u",        "cells_v"};
   return std::find(with_defaults.begin(), with_defaults.end(), parameter) != with_defaults.end() ||
          (kind == "particles" && parameter == "radius");
 }

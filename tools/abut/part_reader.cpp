@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <optional>
 #include <utility>
 
@@ -44,6 +45,33 @@ std::optional<abut_sleep> read_sleep(const std::optional<Node>& node) {
   return sleep;
 }
 
+// {"linear": ..., "spin": ...}, or "measured".
+void read_velocity(const Node& node, Part& part) {
+  if (node.is_text()) {
+    if (node.text() != "measured") {
+      node.refuse("\"measured\", or an object with linear and spin");
+    }
+    part.is_measured = true;
+    return;
+  }
+  Fields fields(node);
+  abut_velocity velocity{};
+  if (const auto linear = fields.find("linear")) {
+    velocity.linear = linear->vector();
+  }
+  if (const auto spin = fields.find("spin")) {
+    Fields turning(*spin);
+    const abut_vec3 axis = turning.need("axis").direction();
+    const double degrees = turning.need("degrees_per_second").number();
+    turning.done();
+    constexpr double radians_per_degree = 0.017453292519943295;
+    velocity.angular =
+        axis * (degrees * radians_per_degree / std::sqrt(axis.x * axis.x + axis.y * axis.y + axis.z * axis.z));
+  }
+  fields.done();
+  part.velocity = velocity;
+}
+
 void read_part(const Node& node, Scene& scene, PartRanges& ranges) {
   Fields fields(node);
   const std::size_t first = scene.parts.size();
@@ -54,6 +82,9 @@ void read_part(const Node& node, Scene& scene, PartRanges& ranges) {
     part.motion = motion->choice(motions);
   }
   part.sleep = read_sleep(fields.find("sleep"));
+  if (const auto velocity = fields.find("velocity")) {
+    read_velocity(*velocity, part);
+  }
   const abut_pose pose = read_pose(fields.find("pose"));
   if (const auto script = fields.find("script")) {
     if (part.motion == ABUT_MOTION_STATIC) {

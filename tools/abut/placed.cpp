@@ -32,7 +32,7 @@ std::string whole_name(const Scene& scene, const Geometry& geometry) {
 
 Placed placed(const World& world, std::size_t index) {
   const Geometry& geometry = world.scene().geometries.at(index);
-  return {index, whole_name(world.scene(), geometry), geometry.shape, world.pose_of(index)};
+  return {index, whole_name(world.scene(), geometry), world.shape_of(index), world.pose_of(index)};
 }
 
 std::vector<Placed> find_placed(const World& world, const std::string& name) {

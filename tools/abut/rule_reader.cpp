@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <iterator>
+#include <utility>
 
 #include "algorithms.hpp"
 #include "nearest.hpp"
@@ -12,10 +13,17 @@ namespace cli {
 namespace {
 
 constexpr std::array<Choice, 2> effects{{{"enable", ABUT_RULE_ENABLE}, {"disable", ABUT_RULE_DISABLE}}};
-constexpr std::array<Choice, 4> details{{{"manifold", ABUT_DETAIL_MANIFOLD},
+constexpr std::array<Choice, 5> details{{{"manifold", ABUT_DETAIL_MANIFOLD},
                                          {"point", ABUT_DETAIL_POINT},
                                          {"box", ABUT_DETAIL_BOX},
-                                         {"touch", ABUT_DETAIL_TOUCH}}};
+                                         {"touch", ABUT_DETAIL_TOUCH},
+                                         {"elements", ABUT_DETAIL_ELEMENTS}}};
+
+constexpr std::array<std::pair<const char*, double abut_policy::*>, 4> of_elements{
+    {{"contact_distance", &abut_policy::contact_distance},
+     {"rest_distance", &abut_policy::rest_distance},
+     {"cone_angle", &abut_policy::cone_angle},
+     {"cone_factor", &abut_policy::cone_factor}}};
 
 // The parts that a name means: all copies of an entry, or one copy such as "crate[2]".
 std::vector<std::size_t> parts_named(const Node& node, const PartRanges& ranges, const Scene& scene) {
@@ -46,7 +54,7 @@ std::vector<Collidable> geometries_named(const Node& node, const std::vector<std
   for (const std::size_t part : parts) {
     // Geometries are ordered by their parts.
     const auto [begin, end] =
-        std::equal_range(scene.geometries.begin(), scene.geometries.end(), Geometry{part, "", {}, {}},
+        std::equal_range(scene.geometries.begin(), scene.geometries.end(), Geometry{part, "", {}, {}, Part::no_script},
                          [](const Geometry& a, const Geometry& b) { return a.part < b.part; });
     const auto found = std::find_if(begin, end, [&](const Geometry& geometry) { return geometry.name == name; });
     if (found == end) {
@@ -116,6 +124,11 @@ abut_policy read_policy(Fields& fields) {
   }
   if (const auto time_budget = fields.find("time_budget")) {
     policy.time_budget = time_budget->not_negative();
+  }
+  for (const auto& [name, member] : of_elements) {
+    if (const auto value = fields.find(name)) {
+      policy.*member = value->not_negative();
+    }
   }
   return policy;
 }

@@ -36,7 +36,8 @@ void read_units(const std::optional<Node>& node, Scene& scene) {
   fields.done();
 }
 
-void read_universe(const std::optional<Node>& node, abut_universe_options& options) {
+void read_universe(const std::optional<Node>& node, Scene& scene) {
+  abut_universe_options& options = scene.universe;
   abut_universe_options_init(&options, sizeof options);
   if (!node) {
     return;
@@ -50,6 +51,15 @@ void read_universe(const std::optional<Node>& node, abut_universe_options& optio
   }
   if (const auto most = fields.find("max_contacts")) {
     options.max_contacts = most->whole32(0);
+  }
+  if (const auto most = fields.find("max_pair_contacts")) {
+    options.max_pair_contacts = most->whole32(0);
+  }
+  if (const auto welds = fields.find("welds"); welds && welds->flag()) {
+    options.flags |= ABUT_UNIVERSE_WELDS;
+  }
+  if (const auto islands = fields.find("islands")) {
+    scene.follows_islands = islands->flag();
   }
   if (const auto origin = fields.find("origin")) {
     options.origin = origin->vector();
@@ -81,7 +91,7 @@ Scene read(const Json& document, const std::filesystem::path& folder) {
   }
   Scene scene(folder);
   read_units(fields.find("units"), scene);
-  read_universe(fields.find("universe"), scene.universe);
+  read_universe(fields.find("universe"), scene);
   if (const auto steps = fields.find("steps")) {
     scene.steps = steps->whole(1, 1'000'000'000);
   }

@@ -2,6 +2,7 @@
 // A scene as it was read: plain data, and the shapes.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <filesystem>
 #include <limits>
@@ -24,6 +25,20 @@ struct Part {
   abut_pose pose{};
   std::size_t script = no_script;
   std::optional<abut_sleep> sleep;
+  std::optional<abut_velocity> velocity;
+  bool is_measured = false;  // its velocity follows from its poses
+};
+
+/// Vertices that a mesh has one step after the other.
+struct Sequence {
+  std::string path;                           // in the scene
+  std::vector<std::vector<double>> vertices;  // of each step; x, y, z
+  bool repeat = false;
+
+  [[nodiscard]] const std::vector<double>& at(std::uint64_t step) const {
+    const std::uint64_t count = vertices.size();
+    return vertices[repeat ? (step - 1) % count : std::min(step, count) - 1];
+  }
 };
 
 struct Geometry {
@@ -31,6 +46,7 @@ struct Geometry {
   std::string name;  // within its part
   const abut_shape* shape;
   abut_geometry_options options;
+  std::size_t sequence = Part::no_script;
 };
 
 /// What a rule speaks of: of a geometry or a part its index in the scene, of a label its number.
@@ -75,6 +91,8 @@ struct Scene {
   std::vector<Part> parts;
   std::vector<Geometry> geometries;
   std::vector<Script> scripts;
+  std::vector<Sequence> sequences;
+  bool follows_islands = false;
   std::vector<Rule> rules;
   std::vector<Policy> policies;
   std::optional<Focus> focus;

@@ -139,8 +139,7 @@ void load_file(const Node& file, const std::filesystem::path& folder, const std:
   } else {
     file.refuse(
         "a file beside the scene: .obj, .stl or .ply for hulls, meshes and particles, .pgm for height fields, .txt for "
-        "plain "
-        "numbers");
+        "plain numbers");
   }
 }
 
@@ -195,6 +194,18 @@ ShapeArrays read_arrays(Fields& fields, const std::string& kind, const std::file
     }
   }
   return out;
+}
+
+std::vector<double> read_vertices(const Node& file, const std::filesystem::path& folder) {
+  ShapeArrays out;
+  try {
+    load_file(file, folder, "particles", out);
+  } catch (const BadInput&) {
+    throw;
+  } catch (const Failure& failure) {
+    file.refuse("a file that can be read: " + printable(failure.what()));
+  }
+  return std::move(out.reals);
 }
 
 std::vector<std::string> arrays_of(const std::string& kind) {

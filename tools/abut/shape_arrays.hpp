@@ -23,4 +23,7 @@ struct ShapeArrays {
 /// Names of the fields that a kind takes besides its parameters; none for most.
 [[nodiscard]] std::vector<std::string> arrays_of(const std::string& kind);
 
+/// x, y, z of the vertices in an .obj, .stl or .ply file, or in one of plain numbers.
+[[nodiscard]] std::vector<double> read_vertices(const Node& file, const std::filesystem::path& folder);
+
 }  // namespace cli

@@ -71,10 +71,39 @@ ShapeOwner Shapes::make(const Node& node) {
     kind.refuse("a kind of shape of this build: " + listing(known) + suggestion(kind.text(), known));
   }
   kinds_.insert(kind.text());
-  ShapeOwner shape = kind.text() == "composite" ? make_composite(fields) : make_simple(fields, kind.text());
+  const bool is_field_of_mesh = kind.text() == "distance_field" && (node.has("file") || node.has("vertices"));
+  ShapeOwner shape = kind.text() == "composite" ? make_composite(fields)
+                     : is_field_of_mesh         ? make_field_of_mesh(fields)
+                                                : make_simple(fields, kind.text());
   fields.done();
   return shape;
 }
+
+// A distance field that the library samples from triangles.
+ShapeOwner Shapes::make_field_of_mesh(Fields& fields) {
+  const ShapeArrays arrays = read_arrays(fields, "mesh", folder_);
+  abut_distance_field_options options;
+  abut_distance_field_options_init(&options, sizeof options);
+  if (const auto spacing = fields.find("spacing")) {
+    options.spacing = spacing->positive();
+  }
+  if (const auto band = fields.find("band")) {
+    options.band = band->positive();
+  }
+  if (const auto interpolation = fields.find("interpolation")) {
+    options.interpolation = interpolation->whole32(0, 1);
+  }
+  if (const auto inside_out = fields.find("is_inside_out")) {
+    options.is_inside_out = inside_out->flag() ? 1 : 0;
+  }
+  fields.done();
+  abut_shape* made = nullptr;
+  fields.node().check(abut_distance_field_from_mesh(arrays.reals.data(), arrays.reals.size() / 3, arrays.indices.data(),
+                                                    arrays.indices.size() / 3, &options, &made));
+  return ShapeOwner(made);
+}
+
+std::vector<double> Shapes::vertices_of(const Node& file) const { return read_vertices(file, folder_); }
 
 ShapeOwner Shapes::make_composite(Fields& fields) {
   std::vector<const abut_shape*> children;

@@ -23,6 +23,9 @@ class Shapes {
   /// The shape that a node means: the name of one, or one written out. Owned by this object.
   [[nodiscard]] const abut_shape* resolve(const Node& node);
 
+  /// x, y, z of all vertices in a model beside the scene.
+  [[nodiscard]] std::vector<double> vertices_of(const Node& file) const;
+
   /// A copy of a composite from which its holes are left out; none for a shape that has no holes, or nothing else.
   [[nodiscard]] ShapeOwner without_holes(const abut_shape* shape) const;
 
@@ -42,6 +45,7 @@ class Shapes {
 
   ShapeOwner make(const Node& node);
   ShapeOwner make_composite(Fields& fields);
+  ShapeOwner make_field_of_mesh(Fields& fields);
   ShapeOwner make_simple(Fields& fields, const std::string& kind);
   const abut_shape* named(const Node& declared, const std::string& name);
 

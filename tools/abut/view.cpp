@@ -36,7 +36,7 @@ Bounds bounds_of(const World& world) {
     const Geometry& geometry = world.scene().geometries[i];
     const abut_pose pose = world.pose_of(i);
     abut_aabb box;
-    check(abut_shape_aabb(geometry.shape, &pose, &box), "box of a geometry");
+    check(abut_shape_aabb(world.shape_of(i), &pose, &box), "box of a geometry");
     if (!is_finite(box)) {
       continue;
     }

@@ -20,6 +20,9 @@ World::World(Scene scene) : scene_(std::move(scene)) {
   abut_universe* universe = nullptr;
   check_scene(abut_universe_create(&scene_.universe, &universe), "universe");
   universe_.reset(universe);
+  if (scene_.follows_islands) {
+    check_scene(abut_universe_follow_islands(universe, 1), "universe.islands");
+  }
   create_parts();
   create_geometries();
   set_rules();
@@ -45,6 +48,13 @@ void World::create_parts() {
       check_scene(abut_part_set_sleep(universe_.get(), parts_[i], &*scene_.parts[i].sleep),
                   "sleep of " + scene_.parts[i].name);
     }
+    if (scene_.parts[i].velocity) {
+      check_scene(abut_part_set_velocity(universe_.get(), parts_[i], &*scene_.parts[i].velocity),
+                  "velocity of " + scene_.parts[i].name);
+    }
+    if (scene_.parts[i].is_measured) {
+      check_scene(abut_part_measure_velocity(universe_.get(), parts_[i]), "velocity of " + scene_.parts[i].name);
+    }
   }
 }
 
@@ -68,6 +78,9 @@ void World::create_geometries() {
     const std::size_t slot = geometries_[i].slot;
     geometry_of_slot_.resize(std::max(geometry_of_slot_.size(), slot + 1));
     geometry_of_slot_[slot] = i;
+    if (scene_.geometries[i].sequence != Part::no_script) {
+      deforming_.push_back(i);
+    }
   }
 }
 
@@ -112,10 +125,30 @@ void World::step(std::uint64_t number) {
   const std::string when = "step " + std::to_string(number);
   check_scene(abut_parts_set_poses(universe_.get(), moved.data(), poses.data(), moved.size()),
               "the scripts at " + when);
+  present_.clear();
+  for (const std::size_t i : deforming_) {
+    const Sequence& sequence = scene_.sequences[scene_.geometries[i].sequence];
+    const std::vector<double>& vertices = sequence.at(number);
+    check_scene(abut_geometry_set_vertices(universe_.get(), geometries_[i], 0, vertices.data(), vertices.size() / 3),
+                sequence.path + " at " + when);
+  }
   check(abut_universe_step(universe_.get(), scene_.dt), when.c_str());
 }
 
 const std::string& World::geometry_name(abut_geometry_id id) const { return scene_.geometries[number_of(id)].name; }
+
+const abut_shape* World::shape_of(std::size_t geometry) const {
+  if (scene_.geometries[geometry].sequence == Part::no_script) {
+    return scene_.geometries[geometry].shape;
+  }
+  const auto [place, is_new] = present_.try_emplace(geometry);
+  if (is_new) {
+    abut_shape* shape = nullptr;
+    check(abut_geometry_shape(universe_.get(), geometries_.at(geometry), &shape), "shape of a geometry");
+    place->second.reset(shape);
+  }
+  return place->second.get();
+}
 
 abut_pose World::pose_of(std::size_t geometry) const {
   abut_pose pose{};

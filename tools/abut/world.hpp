@@ -3,9 +3,11 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <string>
 #include <vector>
 
+#include "common/owners.hpp"
 #include "scene.hpp"
 
 namespace cli {
@@ -24,6 +26,8 @@ class World {
 
   /// In the world, of the geometry of that number in the scene.
   [[nodiscard]] abut_pose pose_of(std::size_t geometry) const;
+  /// The shape of the geometry of that number at the last step. It stays until the next one.
+  [[nodiscard]] const abut_shape* shape_of(std::size_t geometry) const;
   /// The tag of the geometry of that number, which a focus may have switched.
   [[nodiscard]] std::uint32_t tag_of(std::size_t geometry) const;
   /// The geometry of that number, and whatever a rule of the scene names, in the universe.
@@ -48,7 +52,10 @@ class World {
   std::vector<abut_part_id> parts_;
   std::vector<abut_geometry_id> geometries_;
   std::vector<std::size_t> geometry_of_slot_;
-  std::vector<std::size_t> scripted_;  // indices of parts
+  std::vector<std::size_t> scripted_;   // indices of parts
+  std::vector<std::size_t> deforming_;  // indices of geometries
+  // Present shapes of those that deform, as far as they were asked for. While they are held, an edit would copy them.
+  mutable std::map<std::size_t, ShapeOwner> present_;
 };
 
 }  // namespace cli
