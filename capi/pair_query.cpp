@@ -34,7 +34,8 @@ abut_status read_given_options(const abut_query_options& options, Question quest
                                const abut_shape* b, PairQuery& query) {
   const abut_status status = read_given_options(options, query);
   if (status == ABUT_OK && options.time_budget > 0) {
-    take_route(question, shape_of(a).index(), shape_of(b).index(), options.time_budget, query.settings);
+    take_route(question, kind_in_pairs(kind_of(shape_of(a))), kind_in_pairs(kind_of(shape_of(b))), options.time_budget,
+               query.settings);
   }
   return status;
 }

@@ -45,7 +45,7 @@ void find_points(const PathScene& scene, const Sides& sides, const Moment& momen
   QuerySettings wanted{
       .algorithm = policy.algorithm, .error_bound = policy.error_bound, .margin = margin, .welds = welds};
   if (policy.time_budget > 0) {
-    take_route(Question::contacts, a.index(), b.index(), policy.time_budget, wanted);
+    take_route(Question::contacts, kind_in_pairs(kind_of(a)), kind_in_pairs(kind_of(b)), policy.time_budget, wanted);
   }
   if (kernels.contacts_in_frame(a, b, relative(moment.a, moment.b), wanted, nullptr, points) != Outcome::ok) {
     points.resize(before);
