@@ -832,7 +832,7 @@ typedef struct abut_route {
   abut_algorithm algorithm;
   abut_route_flags flags;
   double error_bound; /**< as in abut_query_options; 0: the default one */
-  double seconds;     /**< of one question, of pairs that are apart or of those that overlap, whichever take longer */
+  double seconds;     /**< of one question, on the average; of distances half of the pairs overlap, of contacts all */
   double worst_error; /**< of upper - lower, or of the deepest contact, relative to the size of the shapes */
 } abut_route;
 

@@ -12,6 +12,7 @@
 #include <fstream>
 #include <iterator>
 #include <limits>
+#include <utility>
 
 #include "algorithms.hpp"
 #include "output_file.hpp"
@@ -42,7 +43,7 @@ struct Route {
 struct Asked {
   abut_query query;
   std::vector<TunedPair> pairs;
-  std::vector<std::span<const TunedPair>> timed;  // of which the one that takes longer counts
+  std::vector<std::span<const TunedPair>> timed;  // the mean of which counts
 };
 
 bool ask(abut_query query, const TunedPair& pair, const abut_query_options& options, Answer& out) {
@@ -114,14 +115,18 @@ void measure_times(const Asked& asked, std::vector<Route>& routes) {
       }
     }
     for (std::size_t i = 0; i < routes.size(); ++i) {
-      routes[i].seconds = std::max(routes[i].seconds, least[i]);
+      routes[i].seconds += least[i] / static_cast<double>(asked.timed.size());
     }
   }
 }
 
 // A search that ends by its bound may end anywhere below it, for other pairs than those that were measured. So what is
-// promised is the bound itself, or where answers were exact as far as numbers go, a little more than rounding.
-double promised(double measured, double bound) { return measured <= exact ? 5 * exact : std::max(bound, measured); }
+// promised is the bound itself, or where answers were exact as far as numbers go, a little more than rounding. Nothing
+// where a search has not kept its bound.
+double promised(double measured, double bound) {
+  constexpr double none = std::numeric_limits<double>::infinity();
+  return measured <= exact ? 5 * exact : measured <= bound + exact ? bound : none;
+}
 
 void judge(const Asked& asked, double usual_bound, std::vector<Route>& routes) {
   std::vector<double> worst(routes.size(), 0);
@@ -143,10 +148,12 @@ void judge(const Asked& asked, double usual_bound, std::vector<Route>& routes) {
   }
 }
 
-// Without those that another one beats, or takes up to a twentieth longer and errs less.
+// Without those that promise nothing, and those that another one beats. One that errs less beats another also where it
+// takes up to a twentieth longer.
 void keep_best(std::vector<Route>& routes) {
   constexpr double slack = 1.05;
-  std::ranges::stable_sort(routes, {}, &Route::worst_error);
+  std::erase_if(routes, [](const Route& route) { return std::isinf(route.worst_error); });
+  std::ranges::sort(routes, {}, [](const Route& route) { return std::pair(route.worst_error, route.seconds); });
   std::vector<Route> kept;
   for (Route& route : routes) {
     const auto is_beaten = [&](const Route& other) {
