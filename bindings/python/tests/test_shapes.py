@@ -161,8 +161,8 @@ class Queries(unittest.TestCase):
 
     def test_composites_tell_their_children(self):
         drilled = abut.Shape.composite([abut.Shape.box(1, 1, 1), abut.Shape.sphere_hole(0.5)],
-                                       [abut.pose((0, 0, 2)), abut.pose()])
-        whole = abut.Shape.composite([abut.Shape.sphere(1), drilled], [abut.pose((3, 0, 0)), abut.pose()], [4, 6])
+                                       [abut.pose(0, 0, 2), abut.pose()])
+        whole = abut.Shape.composite([abut.Shape.sphere(1), drilled], [abut.pose(3, 0, 0), abut.pose()], [4, 6])
         children = whole.children()
         self.assertEqual([shape.kind for shape, _ in children], ["sphere", "box", "sphere_hole"])
         self.assertEqual([child.material for _, child in children], [4, 6, 6])
