@@ -110,6 +110,12 @@
   FIELD(abut_distance_field_report, far_error, 32, 8) \
   FIELD(abut_distance_field_report, least_stretch, 40, 8) \
   FIELD(abut_distance_field_report, most_stretch, 48, 8) \
+  TYPE(abut_composite_child, 72) \
+  FIELD(abut_composite_child, pose, 0, 56) \
+  FIELD(abut_composite_child, material, 56, 4) \
+  FIELD(abut_composite_child, is_hole, 60, 4) \
+  FIELD(abut_composite_child, cut_begin, 64, 4) \
+  FIELD(abut_composite_child, cut_end, 68, 4) \
   TYPE(abut_shape_desc, 56) \
   FIELD(abut_shape_desc, struct_size, 0, 4) \
   FIELD(abut_shape_desc, kind, 4, 4) \
@@ -541,6 +547,12 @@
   FIELD(abut_body_options, integrator, 4, 4) \
   FIELD(abut_body_options, density, 8, 8) \
   FIELD(abut_body_options, mass, 16, 104) \
+  TYPE(abut_elastic_options, 32) \
+  FIELD(abut_elastic_options, struct_size, 0, 4) \
+  FIELD(abut_elastic_options, reserved, 4, 4) \
+  FIELD(abut_elastic_options, young, 8, 8) \
+  FIELD(abut_elastic_options, poisson, 16, 8) \
+  FIELD(abut_elastic_options, damping, 24, 8) \
   TYPE(abut_contact_law, 64) \
   FIELD(abut_contact_law, friction_primary, 0, 8) \
   FIELD(abut_contact_law, friction_secondary, 8, 8) \

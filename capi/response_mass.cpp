@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Mass of shapes and of parts, seen through abut.h.
 #include "extension_arguments.hpp"
+#include "response_holes.hpp"
 #include "response_source.hpp"
 
 #include <array>
@@ -19,6 +20,8 @@ namespace abut::capi {
 namespace {
 
 using response::MassProperties;
+
+constexpr double least_part_left = 1e-6;
 
 [[nodiscard]] abut_status refuse_shape(std::string_view kind, const char* why) noexcept {
   std::array<char, 160> message{};
@@ -53,11 +56,38 @@ using response::MassProperties;
   return ABUT_OK;
 }
 
+// Solids count one by one, also where they overlap.
+[[nodiscard]] abut_status by_children(const abut_shape* shape, MassProperties& out) {
+  std::vector<CompositePart> parts;
+  abut_status status = parts_of_composite(shape, parts);
+  std::vector<MassProperties> masses;
+  double solid = 0;
+  for (const CompositePart& part : parts) {
+    if (status != ABUT_OK) return status;
+    if (part.info.is_hole != 0) continue;
+    MassProperties mass;
+    status = mass_of_shape(part.shape.get(), mass);
+    if (status != ABUT_OK) {
+      const std::string said = abut_last_error_message();
+      return refuse(status, ("child " + std::to_string(part.number) + " of a composite: " + said).c_str());
+    }
+    solid += mass.mass;
+    masses.push_back(response::placed(mass, part.info.pose));
+  }
+  if (status == ABUT_OK) status = missing_of_holes(parts, masses);
+  if (status != ABUT_OK) return status;
+  out = response::combined(masses);
+  // What holes leave must be more than what rounding does.
+  if (!(out.mass > least_part_left * solid)) return refuse_shape("composite", "its holes leave nothing of it");
+  return ABUT_OK;
+}
+
 }  // namespace
 
 abut_status mass_of_shape(const abut_shape* shape, MassProperties& out) {
   const char* const name = abut_shape_kind_name(abut_shape_kind_of(shape));
   const std::string_view kind = name == nullptr ? "" : name;
+  if (kind == "composite") return by_children(shape, out);
   std::size_t count = 0;
   abut_status status = abut_shape_parameters(shape, nullptr, 0, &count);
   if (status != ABUT_OK) return status;

@@ -75,7 +75,9 @@ abut_status abut_response_add_particles(abut_response* response, abut_geometry_i
     Grains particles{.geometry = geometry,
                      .masses = {weights.begin(), weights.end()},
                      .xyz = {places.begin(), places.end()},
-                     .velocities = {moving.begin(), moving.end()}};
+                     .velocities = {moving.begin(), moving.end()},
+                     .springs = {},
+                     .tetrahedra = {}};
     particles.velocities.resize(3 * count);
     return its.simulation.set_particles(std::move(particles));
   });

@@ -90,6 +90,9 @@ abut_status abut_particles_create(const double *xyz, size_t count, double radius
 abut_status abut_particles_create_with_radii(const double *xyz, const double *radii, size_t count, abut_shape **out);
 abut_status abut_composite_create(const abut_shape *const *children, const abut_pose *poses, size_t count, abut_shape **out);
 abut_status abut_composite_create_with_materials(const abut_shape *const *children, const abut_pose *poses, const uint32_t *materials, size_t count, abut_shape **out);
+typedef struct abut_composite_child { abut_pose pose; uint32_t material; uint32_t is_hole; uint32_t cut_begin; uint32_t cut_end; } abut_composite_child;
+abut_status abut_composite_children(const abut_shape *shape, abut_composite_child *children, size_t capacity, size_t *count);
+abut_status abut_composite_child_shape(const abut_shape *shape, uint32_t child, abut_shape **out);
 abut_status abut_sphere_hole_create(double radius, abut_shape **out);
 typedef uint32_t abut_open_ends;
 enum abut_open_ends_value { ABUT_OPEN_TOP = 1, ABUT_OPEN_BOTTOM = 2 };
@@ -438,6 +441,10 @@ abut_status abut_response_apply_torque(abut_response *response, abut_part_id par
 typedef void (*abut_force_callback)(void *context, abut_part_id part, const abut_pose *pose, const abut_velocity *velocity, double time, abut_vec3 *force, abut_vec3 *torque);
 abut_status abut_response_set_force_callback(abut_response *response, abut_force_callback callback, void *context);
 abut_status abut_response_add_particles(abut_response *response, abut_geometry_id geometry, const double *masses, const double *xyz, const double *velocities, size_t count);
+abut_status abut_response_add_springs(abut_response *response, abut_geometry_id geometry, const uint32_t *pairs, const double *stiffnesses, const double *dampings, const double *rest_lengths, size_t count);
+typedef struct abut_elastic_options { uint32_t struct_size; uint32_t reserved; double young; double poisson; double damping; } abut_elastic_options;
+void abut_elastic_options_init(abut_elastic_options *options, uint32_t struct_size);
+abut_status abut_response_add_tetrahedra(abut_response *response, abut_geometry_id geometry, const uint32_t *tetrahedra, size_t count, const abut_elastic_options *options);
 abut_status abut_response_remove_particles(abut_response *response, abut_geometry_id geometry);
 abut_status abut_response_particles(const abut_response *response, abut_geometry_id geometry, const double **xyz, const double **velocities, size_t *count);
 typedef uint32_t (*abut_contact_callback)(void *context, const abut_contact *contact, abut_contact_material *material);

@@ -32,6 +32,8 @@ const distanceFieldOptions = koffi.struct('abut_distance_field_options', { struc
 const distanceFieldReport = koffi.struct('abut_distance_field_report', { structSize: 'uint32_t',
   interpolation: 'uint32_t', blockCount: 'uint64_t', heldBlockCount: 'uint64_t', error: 'double', farError: 'double',
   leastStretch: 'double', mostStretch: 'double' });
+const compositeChild = koffi.struct('abut_composite_child', { pose: pose, material: 'uint32_t', isHole: 'uint32_t',
+  cutBegin: 'uint32_t', cutEnd: 'uint32_t' });
 const shapeDesc = koffi.struct('abut_shape_desc', { structSize: 'uint32_t', kind: 'uint32_t', parameters: 'double *',
   parameterCount: 'uint64_t', reals: 'double *', realCount: 'uint64_t', indices: 'uint32_t *', indexCount: 'uint64_t'
   });
@@ -151,6 +153,8 @@ const responseOptions = koffi.struct('abut_response_options', { structSize: 'uin
   reserved: 'uint32_t' });
 const bodyOptions = koffi.struct('abut_body_options', { structSize: 'uint32_t', integrator: 'uint32_t',
   density: 'double', mass: massProperties });
+const elasticOptions = koffi.struct('abut_elastic_options', { structSize: 'uint32_t', reserved: 'uint32_t',
+  young: 'double', poisson: 'double', damping: 'double' });
 const contactLaw = koffi.struct('abut_contact_law', { frictionPrimary: 'double', frictionSecondary: 'double',
   compliance: 'double', offset: 'double', pull: 'double', surfaceVelocity: vector });
 const responseSide = koffi.struct('abut_response_side', { kind: 'uint32_t', slot: 'uint32_t', generation: 'uint32_t' });
@@ -176,14 +180,14 @@ koffi.opaque('abut_picker');
 koffi.opaque('abut_response');
 
 export const structs = { vector, quaternion, pose, aabb, partId, geometryId, feature, hullReport, meshOptions,
-  meshReport, uvGridOptions, heightFieldDesc, distanceFieldDesc, distanceFieldOptions, distanceFieldReport, shapeDesc,
-  ray, rayHit, queryOptions, route, distance, contact, pairMemory, firstTouch, elementCounts, elementsOptions, stencil,
-  elementPair, crossing, movement, impactOptions, impact, universeOptions, partOptions, sleep, geometryOptions,
-  geometryInfo, revision, collidable, policy, focus, contactMaterial, event, sleepChange, localPoints, stepStats,
-  finding, island, velocity, acceleration, stepImpact, elementContact, queryFilter, hit, castHit, impactHit, closest,
-  layoutEntry, pick, camera, clipPlane, snap, barycentric, contactProblem, solverOptions, residuals, massProperties,
-  responseOptions, bodyOptions, contactLaw, responseSide, linkOptions, responseContact, responseObject, responseIsland,
-  energy, responseFinding };
+  meshReport, uvGridOptions, heightFieldDesc, distanceFieldDesc, distanceFieldOptions, distanceFieldReport,
+  compositeChild, shapeDesc, ray, rayHit, queryOptions, route, distance, contact, pairMemory, firstTouch, elementCounts,
+  elementsOptions, stencil, elementPair, crossing, movement, impactOptions, impact, universeOptions, partOptions, sleep,
+  geometryOptions, geometryInfo, revision, collidable, policy, focus, contactMaterial, event, sleepChange, localPoints,
+  stepStats, finding, island, velocity, acceleration, stepImpact, elementContact, queryFilter, hit, castHit, impactHit,
+  closest, layoutEntry, pick, camera, clipPlane, snap, barycentric, contactProblem, solverOptions, residuals,
+  massProperties, responseOptions, bodyOptions, elasticOptions, contactLaw, responseSide, linkOptions, responseContact,
+  responseObject, responseIsland, energy, responseFinding };
 
 export const callbacks = {
   log: koffi.pointer(koffi.proto('void abut_log(void *context, uint32_t level, void *message)')),
@@ -248,6 +252,8 @@ export const prototypes = {
     'int32_t abut_particles_create_with_radii(const double *xyz, const double *radii, size_t count, _Out_ abut_shape **out)',
     'int32_t abut_composite_create(abut_shape **children, const abut_pose *poses, size_t count, _Out_ abut_shape **out)',
     'int32_t abut_composite_create_with_materials(abut_shape **children, const abut_pose *poses, const uint32_t *materials, size_t count, _Out_ abut_shape **out)',
+    'int32_t abut_composite_children(abut_shape *shape, void *children, size_t capacity, _Out_ size_t *count)',
+    'int32_t abut_composite_child_shape(abut_shape *shape, uint32_t child, _Out_ abut_shape **out)',
     'int32_t abut_sphere_hole_create(double radius, _Out_ abut_shape **out)',
     'int32_t abut_cylinder_hole_create(double radius, double half_height, uint32_t open_ends, _Out_ abut_shape **out)',
     'int32_t abut_box_hole_create(double half_x, double half_y, double half_z, uint32_t open_faces, _Out_ abut_shape **out)',
@@ -460,6 +466,9 @@ export const prototypes = {
     'int32_t abut_response_apply_torque(abut_response *response, abut_part_id part, const abut_vec3 *torque)',
     'int32_t abut_response_set_force_callback(abut_response *response, abut_force_callback *callback, void *context)',
     'int32_t abut_response_add_particles(abut_response *response, abut_geometry_id geometry, const double *masses, const double *xyz, const double *velocities, size_t count)',
+    'int32_t abut_response_add_springs(abut_response *response, abut_geometry_id geometry, const uint32_t *pairs, const double *stiffnesses, const double *dampings, const double *rest_lengths, size_t count)',
+    'void abut_elastic_options_init(_Out_ abut_elastic_options *options, uint32_t struct_size)',
+    'int32_t abut_response_add_tetrahedra(abut_response *response, abut_geometry_id geometry, const uint32_t *tetrahedra, size_t count, const abut_elastic_options *options)',
     'int32_t abut_response_remove_particles(abut_response *response, abut_geometry_id geometry)',
     'int32_t abut_response_particles(abut_response *response, abut_geometry_id geometry, _Out_ void **xyz, _Out_ void **velocities, _Out_ size_t *count)',
     'int32_t abut_response_set_contact_callback(abut_response *response, abut_contact_callback *callback, void *context)',

@@ -638,6 +638,30 @@ ABUT_API abut_status abut_composite_create(const abut_shape *const *children, co
 ABUT_API abut_status abut_composite_create_with_materials(const abut_shape *const *children, const abut_pose *poses,
                                                           const uint32_t *materials, size_t count, abut_shape **out);
 
+/** A child of a composite. Children of composites in it count as its own, depth first. */
+typedef struct abut_composite_child {
+  abut_pose pose;     /**< in the frame of the composite */
+  uint32_t material;  /**< 0: that of the geometry */
+  uint32_t is_hole;   /**< 1 for a hole, which cuts the solids from number `cut_begin` on, up to before `cut_end` */
+  uint32_t cut_begin; /**< 0 for solids, as the next one */
+  uint32_t cut_end;
+} abut_composite_child;
+
+/**
+ * Children of a composite, in the order of their numbers, by count-then-fill. ABUT_UNSUPPORTED for all other shapes.
+ * Complexity O(n). [any]
+ */
+ABUT_API abut_status abut_composite_children(const abut_shape *shape, abut_composite_child *children, size_t capacity,
+                                             size_t *count);
+
+/**
+ * The shape of a child of a composite; never a composite itself. The caller releases it.
+ * ABUT_UNSUPPORTED for shapes that are no composites, ABUT_INDEX_OUT_OF_RANGE beyond the last child.
+ * @param child  its number, as contacts tell it
+ * Complexity O(n). [any]
+ */
+ABUT_API abut_status abut_composite_child_shape(const abut_shape *shape, uint32_t child, abut_shape **out);
+
 /**
  * Cavity of the shape of a ball, centred; radius >= 0. A hole takes material from the composite that it is a child of.
  * docs/shapes.md tells what a hole does. [any]

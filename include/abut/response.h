@@ -64,7 +64,8 @@ typedef uint32_t abut_solver;
 enum abut_solver_value ABUT_ENUM(uint32_t) {
   ABUT_SOLVER_NEWTON = 0, /**< multipliers around Newton's method; converges for any ratio of masses */
   ABUT_SOLVER_SWEEPS = 1  /**< projected Gauss-Seidel: each round takes one contact after the other. Fast for many light
-                               contacts of like masses, and slow to converge */
+                               contacts of like masses, and slow to converge. Where masses differ by more than 1,000
+                               and the residual stays above 1e-2 of the speed, Newton's method takes over */
 };
 
 /** How the solver works, and when it ends. */
@@ -119,11 +120,14 @@ typedef struct abut_mass_properties {
 
 /**
  * Mass of a shape, in its own frame. Balls, boxes, capsules, cylinders, cones and ellipsoids have closed forms. Hulls,
- * meshes and distance fields have what their triangles enclose.
- * ABUT_UNSUPPORTED for shapes without a volume, surfaces that are not closed, and composites: there the mass is to be
- * given.
+ * meshes and distance fields have what their triangles enclose. Composites are the sum of their solids, also where
+ * these overlap, less what their holes take out of each.
+ * A hole must lie within a solid or beside it, but for a rounding of 1e-9 of its size. Or both are boxes or cylinders
+ * with parallel axes, such as a bore through a plate; then the hole may leave by the ends of the solid.
+ * ABUT_UNSUPPORTED for shapes without a volume, and surfaces that are not closed. So it is for composites of such
+ * shapes, holes that cross surfaces otherwise, and holes that overlap in a solid: there the mass is to be given.
  * @param density  mass per volume, 1e-30 to 1e30
- * Complexity O(triangles log triangles). [any]
+ * Complexity O(triangles log triangles), of composites for each hole and solid. [any]
  */
 ABUT_API abut_status abut_shape_mass_properties(const abut_shape *shape, double density, abut_mass_properties *out);
 
@@ -252,6 +256,48 @@ ABUT_API abut_status abut_response_set_force_callback(abut_response *response, a
 ABUT_API abut_status abut_response_add_particles(abut_response *response, abut_geometry_id geometry,
                                                  const double *masses, const double *xyz, const double *velocities,
                                                  size_t count);
+
+/**
+ * Springs between particles that are bodies, behind those that there are. By implicit Euler: forces are those of the
+ * places at the end of the step, for any stiffness and step, so that no energy is gained. Particles that springs or
+ * tetrahedra join are one island, and are solved by Newton's method. A particle of mass 0 holds what is tied to it.
+ * abut_response_add_particles takes all springs and tetrahedra of the geometry away.
+ * ABUT_STALE_ID where the geometry has no particles that are bodies, ABUT_INDEX_OUT_OF_RANGE for a particle that is
+ * none, ABUT_INVALID_ARGUMENT for one with itself. Then nothing is added.
+ * @param pairs         count * 2 numbers of particles
+ * @param stiffnesses   count numbers in N/m, 0 to 1e30
+ * @param dampings      count numbers in N s/m along the spring, 0 to 1e30; may be null for 0
+ * @param rest_lengths  count numbers in m, 0 to 1e30; may be null for the present lengths
+ * [exclusive]
+ */
+ABUT_API abut_status abut_response_add_springs(abut_response *response, abut_geometry_id geometry,
+                                               const uint32_t *pairs, const double *stiffnesses,
+                                               const double *dampings, const double *rest_lengths, size_t count);
+
+/** The material of tetrahedra. */
+typedef struct abut_elastic_options {
+  uint32_t struct_size;
+  uint32_t reserved; /**< zero */
+  double young;      /**< N/m^2; default 1e6, from 0 to 1e30 */
+  double poisson;    /**< default 0.3, from 0 to 0.499 */
+  double damping;    /**< seconds; default 0, at least 0. Viscous forces are those of a move through that time */
+} abut_elastic_options;
+
+/** Fills in the defaults. */
+ABUT_API void abut_elastic_options_init(abut_elastic_options *options, uint32_t struct_size);
+
+/**
+ * Tetrahedra of four particles each, at rest as these lie now, in either order of corners. Their material is linear
+ * in a frame that turns with each of them (corotational), so that turns cost no force. All else is as for
+ * abut_response_add_springs. The mass is that of the particles.
+ * ABUT_INVALID_ARGUMENT for a tetrahedron without volume.
+ * @param tetrahedra  count * 4 numbers of particles
+ * @param options     may be null for the defaults
+ * [exclusive]
+ */
+ABUT_API abut_status abut_response_add_tetrahedra(abut_response *response, abut_geometry_id geometry,
+                                                  const uint32_t *tetrahedra, size_t count,
+                                                  const abut_elastic_options *options);
 
 /** Ends particles; they stay where they are. ABUT_STALE_ID where the geometry has none. [exclusive] */
 ABUT_API abut_status abut_response_remove_particles(abut_response *response, abut_geometry_id geometry);
@@ -526,8 +572,8 @@ typedef struct abut_response_island {
 } abut_response_island;
 
 /**
- * Islands of the last step that have contacts, each time that they were solved. Borrowed until the next [exclusive]
- * call. [const]
+ * Islands of the last step that have contacts, springs or tetrahedra, each time that they were solved. Borrowed until
+ * the next [exclusive] call. [const]
  */
 ABUT_API abut_status abut_response_islands(const abut_response *response, const abut_response_island **islands,
                                            size_t *count);
@@ -535,7 +581,7 @@ ABUT_API abut_status abut_response_islands(const abut_response *response, const 
 /** Sums over all bodies, as they are now. */
 typedef struct abut_energy {
   double kinetic;
-  double potential;           /**< of gravity, 0 at the origin */
+  double potential;           /**< of gravity, 0 at the origin, and of springs and tetrahedra */
   abut_vec3 linear_momentum;
   abut_vec3 angular_momentum; /**< about the origin */
 } abut_energy;

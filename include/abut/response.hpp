@@ -151,6 +151,13 @@ struct BodyOptions : Defaulted<BodyOptions, abut_body_options, abut_body_options
   [[nodiscard]] BodyOptions with_mass(const MassProperties& value) const { return with(&C::mass, value); }
 };
 
+struct ElasticOptions : Defaulted<ElasticOptions, abut_elastic_options, abut_elastic_options_init> {
+  using C = abut_elastic_options;
+  [[nodiscard]] ElasticOptions with_young(double value) const { return with(&C::young, value); }
+  [[nodiscard]] ElasticOptions with_poisson(double value) const { return with(&C::poisson, value); }
+  [[nodiscard]] ElasticOptions with_damping(double value) const { return with(&C::damping, value); }
+};
+
 struct LinkOptions : Defaulted<LinkOptions, abut_link_options, abut_link_options_init> {
   using C = abut_link_options;
   [[nodiscard]] LinkOptions with_a(PartId value) const { return with(&C::a, value); }
@@ -260,6 +267,31 @@ class Response {
                                            masses.size());
     }
     return detail::answer(status);
+  }
+  // Springs between particles, two numbers each; without dampings there are none, without rest lengths they are at rest
+  // now.
+  Answer<void> add_springs(GeometryId geometry, Span<const std::uint32_t> pairs, Span<const double> stiffnesses,
+                           Span<const double> dampings = {}, Span<const double> rest_lengths = {}) {
+    const std::size_t count = stiffnesses.size();
+    const abut_status sizes = detail::first_failure(
+        detail::expect_as_many("pairs", pairs.size(), "stiffnesses, two times", 2 * count),
+        detail::expect_as_many("dampings", dampings.empty() ? count : dampings.size(), "stiffnesses", count),
+        detail::expect_as_many("rest_lengths", rest_lengths.empty() ? count : rest_lengths.size(), "stiffnesses",
+                               count));
+    return detail::answer(sizes != ABUT_OK ? sizes
+                                           : abut_response_add_springs(get(), geometry, pairs.data(),
+                                                                       stiffnesses.data(), dampings.data(),
+                                                                       rest_lengths.data(), count));
+  }
+  // Tetrahedra of particles, four numbers each.
+  Answer<void> add_tetrahedra(GeometryId geometry, Span<const std::uint32_t> tetrahedra,
+                              const ElasticOptions& options = ElasticOptions()) {
+    const std::size_t count = tetrahedra.size() / 4;
+    const abut_status whole =
+        detail::expect_as_many("tetrahedra", tetrahedra.size(), "their number, four times", 4 * count);
+    return detail::answer(whole != ABUT_OK ? whole
+                                           : abut_response_add_tetrahedra(get(), geometry, tetrahedra.data(), count,
+                                                                          &options));
   }
   Answer<void> remove_particles(GeometryId geometry) {
     return detail::answer(abut_response_remove_particles(get(), geometry));

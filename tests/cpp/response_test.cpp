@@ -68,4 +68,23 @@ TEST(Response, CarriesABallOnTheGround) {
   EXPECT_THROW(response.remove_body(part), abut::Error);
 }
 
+TEST(Response, HangsParticlesOnSprings) {
+  abut::Universe universe(abut::UniverseOptions().with_tolerance_mode(ABUT_TOLERANCE_MARGIN));
+  const std::vector<double> corners{0, 0, 5, 1, 0, 5, 0, 1, 5, 0, 0, 4};
+  const abut::PartId part = universe.create_part(abut::PartOptions());
+  const abut::GeometryId geometry = universe.create_geometry(part, abut::Shape::particles(corners, 0.1));
+  abut::Response response(universe);
+  response.add_particles(geometry, std::vector<double>{0, 0, 0, 2}, corners);
+  const std::vector<std::uint32_t> pair{0, 3};
+  response.add_springs(geometry, pair, std::vector<double>{100}, std::vector<double>{30});
+  for (int i = 0; i < 400; ++i) response.step(0.02);
+  EXPECT_NEAR(response.particles(geometry).first[11], 4 - 2 * 9.81 / 100, 1e-9);
+  response.add_tetrahedra(geometry, std::vector<std::uint32_t>{0, 1, 2, 3},
+                          abut::ElasticOptions().with_young(1e4).with_poisson(0.2).with_damping(0.01));
+  response.step(0.02);
+  EXPECT_EQ(response.islands()[0].residuals.is_converged, 1U);
+  EXPECT_THROW(response.add_springs(geometry, pair, std::vector<double>{1, 2}), abut::Error);
+  EXPECT_THROW(response.add_tetrahedra(geometry, std::vector<std::uint32_t>{0, 1, 2}), abut::Error);
+}
+
 }  // namespace

@@ -79,6 +79,24 @@ TEST(Shape, ComesInEveryKindWithAName) {
   for (const auto& [name, shape] : shapes) EXPECT_EQ(abut::name_of(shape.kind()), name);
 }
 
+TEST(Shape, TellsTheChildrenOfAComposite) {
+  const abut::Shape inner = abut::Shape::composite({abut::Shape::box(1, 1, 1), abut::Shape::sphere_hole(0.5)},
+                                                   {abut::pose({0, 0, 2}), abut::pose()});
+  const abut::Shape whole =
+      abut::Shape::composite({abut::Shape::sphere(1), inner}, {abut::pose({3, 0, 0}), abut::pose()}, {4, 6});
+  const std::vector<abut::CompositeChild> children = whole.children();
+  ASSERT_EQ(children.size(), 3u);
+  EXPECT_EQ(children.at(0).pose.position.x, 3);
+  EXPECT_EQ(children.at(1).pose.position.z, 2);
+  EXPECT_EQ(children.at(1).material, 6u);
+  EXPECT_EQ(children.at(2).is_hole, 1u);
+  EXPECT_EQ(children.at(2).cut_begin, 1u);
+  const abut::Shape child = whole.child_shape(2);
+  EXPECT_EQ(abut::name_of(child.kind()), "sphere_hole");
+  EXPECT_EQ(message_of(ABUT_UNSUPPORTED, [] { return abut::Shape(abut::Shape::sphere(1)).children(); }),
+            "shape is a sphere; only a composite has children");
+}
+
 TEST(Shape, FacesMayHaveFourCornersAndVerticesMayMerge) {
   const std::vector<double> two_squares{0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0, 1, 0, 0, 2, 0, 0, 2, 1, 0, 1, 1, 0};
   const std::vector<std::uint32_t> quads{0, 1, 2, 3, 4, 5, 6, 7};

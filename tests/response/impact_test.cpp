@@ -75,6 +75,25 @@ TEST(Impact, KeepsTheEnergyOfABouncingBall) {
   }
 }
 
+// A block rests while a ball bounces beside it: what the floor gives to the block is its weight, however many impacts
+// cut the step.
+TEST(Impact, TellsImpulsesOfTheTimeThatHasPassed) {
+  constexpr double step = 0.1;
+  Scene scene(stop_at_impacts, touch);
+  scene.material([](abut_contact_material& row) { row.restitution = 1; });
+  scene.floor();
+  fast_body(scene, block(0.5, 0.5, 0.5), {{3, 0, 0.5}, no_turn}, 2);
+  fast_body(scene, ball(0.1), {{0, 0, 0.11}, no_turn}, 1);
+  double all = 0;
+  for (int i = 0; i < 10; ++i) {
+    scene.step(step);
+    for (const abut_response_contact& contact : scene.contacts()) {
+      if (contact.point.x > 2) all += std::fabs(contact.impulse.z);
+    }
+  }
+  EXPECT_NEAR(all, 2 * gravity * 10 * step, 1e-6);
+}
+
 TEST(Impact, BouncesLowerAndLowerAsTheClosedFormSays) {
   for (const double step : {1e-3, 1e-2, 1e-1}) {
     Scene scene(stop_at_impacts, touch);

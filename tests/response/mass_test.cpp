@@ -119,11 +119,6 @@ TEST(Mass, IsRefusedWhereNothingIsEnclosed) {
   for (std::size_t i = 0; i < inside_out.size(); i += 3) std::swap(inside_out[i], inside_out[i + 1]);
   expect_unsupported(mesh(inside_out), "enclose");
   expect_unsupported(block(1, 1, 0), "flat");
-  const Shape one = ball(1);
-  const abut_shape* child = one.get();
-  const abut_pose pose{{0, 0, 0}, no_turn};
-  expect_unsupported(shape_from([&](abut_shape** out) { return abut_composite_create(&child, &pose, 1, out); }),
-                     "composite");
 }
 
 }  // namespace

@@ -45,6 +45,28 @@ TEST(ContactProblem, SolvesMassRatiosOfAMillionInEitherOrder) {
   }
 }
 
+// Impulses have 16 digits, so the light bodies are moved by what the last one of the heavy ones is. From cold, and from
+// the answer: there the search must see that rounding is all that is left.
+TEST(ContactProblem, SolvesMassRatiosUpToWhatDigitsTell) {
+  constexpr double step = 1e-2;
+  for (const double ratio : {1e8, 1e10}) {
+    for (const std::vector<double>& masses : {growing(ratio), growing(1 / ratio), in_turns(ratio)}) {
+      for (const double friction : {0.0, 0.5}) {
+        World world = stack(masses, friction);
+        world.fall({0, 0, -gravity}, step);
+        const abut_solver_options options = options_of(1e-9, 100);
+        const Answer answer = world.solve(&options);
+        ASSERT_EQ(answer.status, ABUT_OK);
+        EXPECT_EQ(answer.residuals.is_converged, 1U) << ratio;
+        EXPECT_LE(answer.residuals.newton_steps, 100U) << ratio;
+        EXPECT_LE(world.worst_miss(answer), 1e-14 * ratio * gravity * step) << ratio;
+        const Answer again = world.solve(&options, &answer);
+        EXPECT_LE(again.residuals.newton_steps, 5U) << ratio;
+      }
+    }
+  }
+}
+
 // The weight on each level, once for each stiffness and step: springs that already carry it, and rigid contacts.
 TEST(ContactProblem, CarriesAStackAtAnyStiffnessAndStep) {
   constexpr double rigid = 1e14;

@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstddef>
+#include <vector>
 
 #include "heap.hpp"
 #include "scene.hpp"
@@ -70,6 +72,37 @@ TEST(Sweeps, MoveBodies) {
   EXPECT_EQ(scene.islands()[0].residuals.newton_steps, 0U);
   EXPECT_NEAR(scene.pose(high).position.z, 1.5, 1e-4);
   EXPECT_NEAR(scene.pose(high).position.x, 0, 1e-6);
+}
+
+// Sweeps alone leave velocities of the size of the fall, so that the stack runs into itself.
+TEST(Sweeps, GiveWayToNewtonBetweenVeryDifferentMasses) {
+  std::vector<double> growing;
+  for (int i = 0; i < 10; ++i) growing.push_back(std::pow(1e6, i / 9.0));
+  World world = stack(growing, 0.5);
+  world.fall({0, 0, -gravity}, 1e-2);
+  const abut_solver_options options = sweeps_of(1e-9, 100);
+  const Answer found = world.solve(&options);
+  ASSERT_EQ(found.status, ABUT_OK);
+  EXPECT_EQ(found.residuals.is_converged, 1U);
+  EXPECT_GT(found.residuals.newton_steps, 0U);
+  EXPECT_LE(world.worst_miss(found), 1e-8);
+  // Of masses that are alike, sweeps are all there is.
+  World alike = stack({1, 1, 1, 1, 1, 1, 1, 1, 1, 1}, 0.5);
+  alike.fall({0, 0, -gravity}, 1e-2);
+  const abut_solver_options few = sweeps_of(1e-9, 10);
+  EXPECT_EQ(alike.solve(&few).residuals.newton_steps, 0U);
+}
+
+TEST(Sweeps, HoldAStackOfVeryDifferentMasses) {
+  Scene scene([](abut_response_options& its) { its.solver = ABUT_SOLVER_SWEEPS; });
+  scene.material([](abut_contact_material& row) { row.friction_primary = row.friction_secondary = 0.5; });
+  scene.floor();
+  std::vector<abut_part_id> parts;
+  for (int i = 0; i < 8; ++i)
+    parts.push_back(scene.body(block(0.5, 0.5, 0.5), {{0, 0, 0.5 + i}, no_turn}, std::pow(10, i)));
+  scene.step(1e-2, 100);
+  for (std::size_t i = 0; i < parts.size(); ++i)
+    EXPECT_NEAR(scene.pose(parts[i]).position.z, 0.5 + static_cast<double>(i), 1e-3) << i;
 }
 
 TEST(Sweeps, AreRefusedUnderAnotherNumber) {

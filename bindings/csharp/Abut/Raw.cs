@@ -513,6 +513,17 @@ namespace Abut
         public double MostStretch;
     }
 
+    /// <summary>A child of a composite.</summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public partial struct CompositeChild
+    {
+        public Pose Pose;
+        public uint Material;
+        public uint IsHole;
+        public uint CutBegin;
+        public uint CutEnd;
+    }
+
     /// <summary>The generic door</summary>
     [StructLayout(LayoutKind.Sequential)]
     public partial struct ShapeDesc
@@ -1189,6 +1200,17 @@ namespace Abut
         public MassProperties Mass;
     }
 
+    /// <summary>The material of tetrahedra.</summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public partial struct ElasticOptions
+    {
+        public uint StructSize;
+        private readonly uint reserved;
+        public double Young;
+        public double Poisson;
+        public double Damping;
+    }
+
     /// <summary>A contact between two geometries, as a kind of your own makes it.</summary>
     [StructLayout(LayoutKind.Sequential)]
     public partial struct ContactLaw
@@ -1372,6 +1394,8 @@ namespace Abut
         [DllImport("abut")] internal static extern Status abut_particles_create_with_radii(double[] xyz, double[] radii, UIntPtr count, out IntPtr @out);
         [DllImport("abut")] internal static extern Status abut_composite_create(IntPtr[] children, Pose[] poses, UIntPtr count, out IntPtr @out);
         [DllImport("abut")] internal static extern Status abut_composite_create_with_materials(IntPtr[] children, Pose[] poses, uint[] materials, UIntPtr count, out IntPtr @out);
+        [DllImport("abut")] internal static extern Status abut_composite_children(Shape shape, [Out] CompositeChild[] children, UIntPtr capacity, out UIntPtr count);
+        [DllImport("abut")] internal static extern Status abut_composite_child_shape(Shape shape, uint child, out IntPtr @out);
         [DllImport("abut")] internal static extern Status abut_sphere_hole_create(double radius, out IntPtr @out);
         [DllImport("abut")] internal static extern Status abut_cylinder_hole_create(double radius, double halfHeight, OpenEnds openEnds, out IntPtr @out);
         [DllImport("abut")] internal static extern Status abut_box_hole_create(double halfX, double halfY, double halfZ, OpenFaces openFaces, out IntPtr @out);
@@ -1580,6 +1604,9 @@ namespace Abut
         [DllImport("abut_response")] internal static extern Status abut_response_apply_torque(IntPtr response, PartId part, ref Vector torque);
         [DllImport("abut_response")] internal static extern Status abut_response_set_force_callback(IntPtr response, ForceCallback callback, IntPtr context);
         [DllImport("abut_response")] internal static extern Status abut_response_add_particles(IntPtr response, GeometryId geometry, double[] masses, double[] xyz, double[] velocities, UIntPtr count);
+        [DllImport("abut_response")] internal static extern Status abut_response_add_springs(IntPtr response, GeometryId geometry, uint[] pairs, double[] stiffnesses, double[] dampings, double[] restLengths, UIntPtr count);
+        [DllImport("abut_response")] internal static extern void abut_elastic_options_init(out ElasticOptions options, uint structSize);
+        [DllImport("abut_response")] internal static extern Status abut_response_add_tetrahedra(IntPtr response, GeometryId geometry, uint[] tetrahedra, UIntPtr count, ElasticOptions[] options);
         [DllImport("abut_response")] internal static extern Status abut_response_remove_particles(IntPtr response, GeometryId geometry);
         [DllImport("abut_response")] internal static extern Status abut_response_particles(IntPtr response, GeometryId geometry, out IntPtr xyz, out IntPtr velocities, out UIntPtr count);
         [DllImport("abut_response")] internal static extern Status abut_response_set_contact_callback(IntPtr response, ContactCallback callback, IntPtr context);
@@ -1628,6 +1655,7 @@ namespace Abut
             { typeof(DistanceFieldDesc), 80 },
             { typeof(DistanceFieldOptions), 32 },
             { typeof(DistanceFieldReport), 56 },
+            { typeof(CompositeChild), 72 },
             { typeof(ShapeDesc), 56 },
             { typeof(Ray), 56 },
             { typeof(RayHit), 72 },
@@ -1681,6 +1709,7 @@ namespace Abut
             { typeof(MassProperties), 104 },
             { typeof(ResponseOptions), 64 },
             { typeof(BodyOptions), 120 },
+            { typeof(ElasticOptions), 32 },
             { typeof(ContactLaw), 64 },
             { typeof(ResponseSide), 12 },
             { typeof(LinkOptions), 104 },

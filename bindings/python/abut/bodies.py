@@ -146,6 +146,27 @@ class Response(Owner):
                              "many elements")
         self._change(library.abut_response_add_particles, geometry, weights, centres, speeds, count)
 
+    def add_springs(self, geometry: c.GeometryId, pairs: Any, stiffness: Any, damping: Any = 0.0,
+                    rest_lengths: Any = None) -> None:
+        """Springs between particles that are bodies: (N, 2) numbers of particles.
+
+        Stiffness and damping are one number, or N. Without rest lengths springs are at rest now.
+        """
+        ends, count = given.rows("pairs", pairs, 2, c_uint32)
+        stiff, damped = (given.numbers(name, value if hasattr(value, "__len__") else [value] * count)
+                         for name, value in (("stiffness", stiffness), ("damping", damping)))
+        rest = None if rest_lengths is None else given.numbers("rest_lengths", rest_lengths)
+        for name, numbers in (("stiffness", stiff), ("damping", damped), ("rest_lengths", rest)):
+            if numbers is not None and len(numbers) != count:
+                raise ValueError(f"pairs has {count} and {name} has {len(numbers)}; they must have as many elements")
+        self._change(library.abut_response_add_springs, geometry, ends, stiff, damped, rest, count)
+
+    def add_tetrahedra(self, geometry: c.GeometryId, tetrahedra: Any, **fields: Any) -> None:
+        """Elastic tetrahedra of particles that are bodies: (N, 4) numbers. The fields are those of ElasticOptions."""
+        corners, count = given.rows("tetrahedra", tetrahedra, 4, c_uint32)
+        material = options.filled(c.ElasticOptions, library.abut_elastic_options_init, fields)
+        self._change(library.abut_response_add_tetrahedra, geometry, corners, count, byref(material))
+
     def remove_particles(self, geometry: c.GeometryId) -> None:
         """Ends particles; they stay where they are."""
         self._change(library.abut_response_remove_particles, geometry)

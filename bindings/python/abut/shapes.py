@@ -325,6 +325,12 @@ class Shape(Owner):
         library.abut_shape_triangles(self.pointer, xyz, vertices, byref(vertices), indices, triangles, byref(triangles))
         return xyz, indices
 
+    def children(self) -> list[tuple[Shape, c.CompositeChild]]:
+        """The children of a composite, by their numbers: the shape of each, and where and what it is."""
+        found = answers.filled(c.CompositeChild, lambda *rest: library.abut_composite_children(self.pointer, *rest))
+        return [(self._made_by(library.abut_composite_child_shape, self.pointer, number), child)
+                for number, child in enumerate(found)]
+
     def prepare(self, threads: int = 0) -> None:
         """Makes what queries would make when they first need it, such as the tree of a mesh; 0 threads: as many as may be."""
         library.abut_shape_prepare(self.pointer, threads)

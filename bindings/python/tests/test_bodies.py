@@ -136,6 +136,21 @@ class Bodies(unittest.TestCase):
             self.response.add_particles(grains, [1], [(5, 0, 1), (6, 0, 1)])
         self.response.remove_particles(grains)
 
+    def test_springs_and_tetrahedra(self):
+        corners = [(0, 0, 5), (1, 0, 5), (0, 1, 5), (0, 0, 6)]
+        soft = self.universe.add_geometry(self.universe.add_part(), abut.Shape.particles(corners, 0.1))
+        self.response.add_particles(soft, [0, 1, 1, 1], corners)
+        before = self.response.energy().potential
+        self.response.add_springs(soft, [(0, 1), (0, 2)], 1e3, [1, 2], [0.5, 0.5])
+        self.assertAlmostEqual(self.response.energy().potential - before, 2 * 0.5 * 1e3 * 0.25)
+        self.response.add_tetrahedra(soft, [(0, 1, 2, 3)], young=1e4, damping=0.1)
+        self.fall(10)
+        self.assertEqual([*self.response.particles(soft)[0][0]], [0, 0, 5])
+        with self.assertRaisesRegex(ValueError, "pairs has 1 and damping has 2"):
+            self.response.add_springs(soft, [(0, 1)], 1, [1, 2])
+        with self.assertRaisesRegex(abut.Error, "options.poisson is 0.5"):
+            self.response.add_tetrahedra(soft, [(0, 1, 2, 3)], poisson=0.5)
+
     def test_it_goes_with_its_universe(self):
         self.universe.close()
         with self.assertRaisesRegex(ValueError, "this response is closed"):

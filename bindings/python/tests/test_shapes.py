@@ -176,6 +176,19 @@ class Queries(unittest.TestCase):
             abut.load_routes()
         self.assertGreater(len(abut.pair_routes("box", "box", abut.QUERY_CONTACTS)), 0)
 
+    def test_composites_tell_their_children(self):
+        drilled = abut.Shape.composite([abut.Shape.box(1, 1, 1), abut.Shape.sphere_hole(0.5)],
+                                       [abut.pose(0, 0, 2), abut.pose()])
+        whole = abut.Shape.composite([abut.Shape.sphere(1), drilled], [abut.pose(3, 0, 0), abut.pose()], [4, 6])
+        children = whole.children()
+        self.assertEqual([shape.kind for shape, _ in children], ["sphere", "box", "sphere_hole"])
+        self.assertEqual([child.material for _, child in children], [4, 6, 6])
+        self.assertEqual([child.is_hole for _, child in children], [0, 0, 1])
+        self.assertEqual((children[2][1].cut_begin, children[2][1].cut_end), (1, 3))
+        self.assertEqual(children[1][1].pose.position.z, 2)
+        with self.assertRaisesRegex(abut.Error, "shape is a sphere"):
+            abut.Shape.sphere(1).children()
+
     def test_failures_are_logged(self):
         told = []
         abut.set_log(lambda level, message: told.append((level, message)))

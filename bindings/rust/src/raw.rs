@@ -243,6 +243,16 @@ pub struct abut_distance_field_report {
     pub most_stretch: f64,
 }
 const _: [(); 56] = [(); ::std::mem::size_of::<abut_distance_field_report>()];
+#[repr(C)]
+#[derive(Debug, Default, Copy, Clone)]
+pub struct abut_composite_child {
+    pub pose: abut_pose,
+    pub material: u32,
+    pub is_hole: u32,
+    pub cut_begin: u32,
+    pub cut_end: u32,
+}
+const _: [(); 72] = [(); ::std::mem::size_of::<abut_composite_child>()];
 pub type abut_open_ends = u32;
 pub const ABUT_OPEN_TOP: abut_open_ends = 1;
 pub const ABUT_OPEN_BOTTOM: abut_open_ends = 2;
@@ -983,6 +993,8 @@ extern "C" {
     pub fn abut_particles_create_with_radii(xyz: *const f64, radii: *const f64, count: usize, out: *mut *mut abut_shape) -> abut_status;
     pub fn abut_composite_create(children: *const *const abut_shape, poses: *const abut_pose, count: usize, out: *mut *mut abut_shape) -> abut_status;
     pub fn abut_composite_create_with_materials(children: *const *const abut_shape, poses: *const abut_pose, materials: *const u32, count: usize, out: *mut *mut abut_shape) -> abut_status;
+    pub fn abut_composite_children(shape: *const abut_shape, children: *mut abut_composite_child, capacity: usize, count: *mut usize) -> abut_status;
+    pub fn abut_composite_child_shape(shape: *const abut_shape, child: u32, out: *mut *mut abut_shape) -> abut_status;
     pub fn abut_sphere_hole_create(radius: f64, out: *mut *mut abut_shape) -> abut_status;
     pub fn abut_cylinder_hole_create(radius: f64, half_height: f64, open_ends: abut_open_ends, out: *mut *mut abut_shape) -> abut_status;
     pub fn abut_box_hole_create(half_x: f64, half_y: f64, half_z: f64, open_faces: abut_open_faces, out: *mut *mut abut_shape) -> abut_status;

@@ -291,6 +291,15 @@ class Shape {
     }
     return detail::answer(status, mesh);
   }
+  // Of a composite, by their numbers; child_shape gives the shape of each.
+  [[nodiscard]] Answer<std::vector<CompositeChild>> children() const {
+    return detail::collect<CompositeChild>([this](CompositeChild* data, std::size_t capacity, std::size_t* count) {
+      return abut_composite_children(shape_, data, capacity, count);
+    });
+  }
+  [[nodiscard]] Answer<Shape> child_shape(std::uint32_t child) const {
+    return made([&](abut_shape** out) { return abut_composite_child_shape(shape_, child, out); });
+  }
   [[nodiscard]] Answer<std::optional<RayHit>> cast_ray(const Pose& pose, const Ray& ray) const {
     RayHit hit{};
     std::uint32_t found = 0;

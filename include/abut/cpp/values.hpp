@@ -48,6 +48,7 @@ using VelocitySource = abut_velocity_source_value;
 // Answers.
 using CastHit = abut_cast_hit;
 using Closest = abut_closest;
+using CompositeChild = abut_composite_child;
 using Contact = abut_contact;
 using Crossing = abut_crossing;
 using Distance = abut_distance;

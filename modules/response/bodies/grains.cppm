@@ -7,6 +7,7 @@ module;
 #include <vector>
 
 export module abut.response:grains;
+import :elastic;
 
 export namespace abut::response {
 
@@ -15,6 +16,8 @@ struct Grains {
   abut_geometry_id geometry{};
   std::vector<double> masses;  // 0: held
   std::vector<double> xyz, velocities;
+  std::vector<Spring> springs;  // between particles by their numbers, as tetrahedra
+  std::vector<Tetrahedron> tetrahedra;
 };
 
 }  // namespace abut::response

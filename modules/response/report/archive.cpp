@@ -5,6 +5,7 @@ module;
 
 #include <abut/response.h>
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cmath>
@@ -30,7 +31,7 @@ std::uint64_t hash_of(std::span<const std::byte> bytes) {
 
 namespace {
 
-constexpr std::uint64_t mark = 0x5345525455424100U, version = 1;
+constexpr std::uint64_t mark = 0x5345525455424100U, version = 2;
 constexpr std::size_t head = 3 * sizeof(std::uint64_t);
 
 class Writer {
@@ -204,6 +205,14 @@ void Simulation::exchange(Archive& archive, Self& its) {
     take_id(archive, grains.geometry);
     for (auto* const numbers : {&grains.masses, &grains.xyz, &grains.velocities})
       archive.list(*numbers, [&](auto& number) { archive.take(number); });
+    archive.list(grains.springs, [&](auto& spring) {
+      take(archive, spring.a, spring.b, spring.rest, spring.stiffness, spring.damping);
+    });
+    archive.list(grains.tetrahedra, [&](auto& element) {
+      for (auto& node : element.nodes) archive.take(node);
+      for (auto& number : element.inverse) archive.take(number);
+      take(archive, element.volume, element.shear, element.lame, element.damping);
+    });
   });
   archive.list(its.kept_, [&](auto& contact) {
     take_id(archive, contact.a);
@@ -257,6 +266,15 @@ bool Simulation::load(std::span<const std::byte> bytes) {
     const std::size_t numbers = 3 * grains.masses.size();
     is_good = is_good && grains.xyz.size() == numbers && grains.velocities.size() == numbers;
     for (const double mass : grains.masses) is_good = is_good && mass >= 0;
+    const auto is_node = [&](std::uint32_t node) { return node < grains.masses.size(); };
+    for (const Spring& its : grains.springs) {
+      is_good = is_good && is_node(its.a) && is_node(its.b) && its.a != its.b && its.rest >= 0 && its.stiffness >= 0 &&
+                its.damping >= 0;
+    }
+    for (const Tetrahedron& its : grains.tetrahedra) {
+      is_good = is_good && std::ranges::all_of(its.nodes, is_node) && its.volume > 0 && its.shear >= 0 &&
+                its.lame >= 0 && its.damping >= 0;
+    }
   }
   for (const Link& link : links_) {
     is_good = is_good && is_kind(link.kind) && link.number < next_link_ && link.stiffness >= 0 && link.damping >= 0 &&

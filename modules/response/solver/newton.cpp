@@ -35,6 +35,16 @@ using Block = Eigen::Matrix<double, 6, 6>;
 using Small = Eigen::Matrix3d;
 
 constexpr double largest_epsilon = 0.3, least_epsilon = 1e-8;
+
+// Under a weight so small, velocities off by rounding stand for impulses off by a part of 1e-8. That part is of an
+// impulse that would stop the fastest body; where light bodies bear far larger ones, the weight may be smaller. It must
+// be: it converges as fast as it is small against the mobility of the heaviest body.
+[[nodiscard]] double least_epsilon_for(double speed, double largest_impulse_speed) {
+  constexpr double ordinary = 1e3, least_part = 1e-6;
+  if (!(largest_impulse_speed > ordinary * speed)) return least_epsilon;
+  return least_epsilon * std::max(least_part, ordinary * speed / largest_impulse_speed);
+}
+
 constexpr std::uint32_t most_newton_steps = 25;
 // From this round on the shift moves half the way only, which stops it from swinging in heaps.
 constexpr std::uint32_t damped_from = 16;
@@ -62,6 +72,14 @@ class Blocks {
       if (contact.a == no_body || contact.b == no_body) continue;
       columns_[contact.a].push_back(contact.b);
       columns_[contact.b].push_back(contact.a);
+    }
+    for (const Element& element : problem.elements) {
+      for (std::uint32_t i = 0; i < element.count; ++i) {
+        for (std::uint32_t j = 0; j < element.count; ++j) {
+          const std::uint32_t row = element.bodies[i], column = element.bodies[j];
+          if (row != no_body && column != no_body) columns_[column].push_back(row);
+        }
+      }
     }
     Eigen::Index count = 0;
     for (std::vector<std::uint32_t>& column : columns_) {
@@ -179,6 +197,7 @@ class [[gsl::Pointer]] Rounds {
       const ContactRows& contact = problem_.contacts[k];
       add_impulse(contact, impulse(k, relative_velocity(contact, v), shift), sums);
     }
+    add_elements(problem_, v, sums);
     Vector out(6 * static_cast<Eigen::Index>(v.size()));
     for (std::size_t i = 0; i < v.size(); ++i) {
       Eigen::Matrix<double, 6, 1> change;
@@ -199,9 +218,36 @@ class [[gsl::Pointer]] Rounds {
     return largest;
   }
 
+  // Whether a gradient is what rounding leaves of all that is added up for each body.
+  [[nodiscard]] static bool is_rounding(const Vector& gradient, const Velocities& sizes) {
+    constexpr double rounding = 2e-16;
+    for (std::size_t i = 0; i < sizes.size(); ++i) {
+      for (std::size_t j = 0; j < 6; ++j) {
+        if (std::fabs(gradient[static_cast<Eigen::Index>(6 * i + j)]) > rounding * sizes[i][j]) return false;
+      }
+    }
+    return true;
+  }
+
+  void assemble(const Element& element) {
+    const std::size_t rows = 3 * std::size_t{element.count};
+    for (std::size_t i = 0; i < element.count; ++i) {
+      for (std::size_t j = 0; j < element.count; ++j) {
+        if (element.bodies[i] == no_body || element.bodies[j] == no_body) continue;
+        Block block = Block::Zero();
+        for (std::size_t k = 0; k < 9; ++k) {
+          block(static_cast<Eigen::Index>(k / 3), static_cast<Eigen::Index>(k % 3)) =
+              element.change[rows * (3 * i + k / 3) + 3 * j + k % 3];
+        }
+        blocks_.add(element.bodies[i], element.bodies[j], block);
+      }
+    }
+  }
+
   void assemble(const Velocities& v, Shift shift) {
     blocks_.clear();
     for (std::uint32_t i = 0; i < masses_.size(); ++i) blocks_.add(i, i, masses_[i]);
+    for (const Element& element : problem_.elements) assemble(element);
     for (std::size_t k = 0; k < problem_.contacts.size(); ++k) {
       const ContactRows& contact = problem_.contacts[k];
       const Small d = stiffness(k, relative_velocity(contact, v), shift);
@@ -269,10 +315,11 @@ Rounds::Velocities Rounds::along(const Velocities& v, const Vector& step, const 
 std::uint32_t Rounds::minimise(double wanted) {
   double best = std::numeric_limits<double>::infinity();
   int without_gain = 0;
+  const Velocities sizes = sizes_of(problem_, solution_);
   for (std::uint32_t i = 0; i < most_newton_steps; ++i) {
     const Vector g = gradient(solution_.velocities, Shift::kept);
     const double size = norm(g);
-    if (!(size > wanted)) return i;
+    if (!(size > wanted) || is_rounding(g, sizes)) return i;
     without_gain = size < 0.9 * best ? 0 : without_gain + 1;
     best = std::min(best, size);
     if (without_gain > 4) return i;
@@ -327,12 +374,13 @@ SolverReport Rounds::run(const SolverOptions& options, double speed) {
     report.newton_steps += steps;
     std::vector<Triple> found = impulses(solution_.velocities, Shift::kept);
     // How much of the residual the multipliers make, and how much the shifts.
-    double change = 0, shift_change = 0;
+    double change = 0, shift_change = 0, largest = 0;
     for (std::size_t k = 0; k < found.size(); ++k) {
       const ContactRows& contact = problem_.contacts[k];
       const Triple &now = found[k], &before = solution_.impulses[k];
       const double moved_by = norm_of(now[0] - before[0], now[1] - before[1], now[2] - before[2]);
       change = std::max(change, epsilon_ * contact.weight * moved_by);
+      largest = std::max(largest, contact.weight * norm_of(now[0], now[1], now[2]));
       if (now[2] > 0) {
         const double shift = contact.friction * tangent_speed(relative_velocity(contact, solution_.velocities));
         shift_change = std::max(shift_change, std::fabs(shift - shifts_[k]));
@@ -353,7 +401,7 @@ SolverReport Rounds::run(const SolverOptions& options, double speed) {
     if (steps > 8) {
       epsilon_ = std::min(largest_epsilon, 3 * epsilon_);
     } else if (steps <= 3 && change > 0.2 * last_change && change > 0.3 * shift_change) {
-      epsilon_ = std::max(least_epsilon, 0.3 * epsilon_);
+      epsilon_ = std::max(least_epsilon_for(speed, largest), 0.3 * epsilon_);
     }
     last_change = change;
     last_residual = residuals.excess;

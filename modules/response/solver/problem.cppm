@@ -2,7 +2,7 @@
 // One group of bodies and the contacts between them: unknown velocities and impulses.
 //
 // The law, for each contact with relative velocity u = J v + drift of b less a:
-//   mass * (v - free) = sum of J^T impulse
+//   mass * (v - free) = sum of J^T impulse + sum of elements (impulse - change * v)
 //
 //   0 <= impulse_n, 0 <= u_n + compliance * impulse_n, one of them 0 (the offset of the gap is part of the drift)
 //   |impulse_T| <= friction * impulse_n; where it slides, impulse_T is against u_T and as large as it may be
@@ -59,10 +59,20 @@ struct ContactRows {
   double most = 0;  // largest impulse of a hold
 };
 
+// A spring or a tetrahedron between bodies that do not turn: they receive `impulse` less `change` times velocities.
+struct Element {
+  std::uint32_t count = 0;
+  std::array<std::uint32_t, 4> bodies{};  // no_body where it is held
+  std::array<double, 12> impulse{};
+  std::array<double, 144> change{};  // 3 * count rows and columns: symmetric, positive semidefinite
+  double size = 0;                   // of the numbers whose difference is the impulse
+};
+
 struct Problem {
   std::vector<BodyMass> bodies;
   std::vector<Row> free;  // velocities without contacts
   std::vector<ContactRows> contacts;
+  std::vector<Element> elements{};
 };
 
 struct Solution {
@@ -118,13 +128,18 @@ void add_impulse(const ContactRows& contact, const Triple& impulse, std::vector<
 [[nodiscard]] Triple diagonal_of(const ContactRows& contact, const std::vector<BodyMass>& bodies);
 [[nodiscard]] double weight_of(const ContactRows& contact, const std::vector<BodyMass>& bodies);
 
-// Of v - free by impulses: velocities that keep the equation of motion.
+// What elements give to bodies at some velocities.
+void add_elements(const Problem& problem, const std::vector<Row>& velocities, std::vector<Row>& sums);
+// The sizes of all that is added up for each body: rounding leaves a part of them.
+[[nodiscard]] std::vector<Row> sizes_of(const Problem& problem, const Solution& solution);
+
+// Of v - free by impulses: velocities that keep the equation of motion. Of problems without elements.
 [[nodiscard]] std::vector<Row> velocities_of(const Problem& problem, const std::vector<Triple>& impulses);
 
 [[nodiscard]] Residuals residuals_of(const Problem& problem, const Solution& solution);
 
 // Newton: proximal augmented Lagrangian, Newton's method inside. O(rounds * the factors of a sparse matrix of 6
-// unknowns a body). Sweeps: contact after contact, O(rounds * contacts).
+// unknowns a body). Sweeps: contact after contact, O(rounds * contacts); problems with elements take Newton's method.
 SolverReport solve(const Problem& problem, const SolverOptions& options, Solution& solution);
 // The rounds of either method, from a start. `speed` is what the tolerance is a part of.
 SolverReport rounds_of_newton(const Problem& problem, const SolverOptions& options, double speed, Solution& solution);

@@ -54,7 +54,9 @@ const Grains* Simulation::particles_of(abut_geometry_id geometry) const {
 }
 
 void Simulation::read_particles(Pass& pass) const {
-  for (const Grains& particles : grains_) {
+  for (std::uint32_t number = 0; number < grains_.size(); ++number) {
+    const Grains& particles = grains_[number];
+    read_elements(pass.motions.size(), number, pass);
     for (std::size_t i = 0; i < particles.masses.size(); ++i) {
       Motion its;
       its.mass = particles.masses[i];

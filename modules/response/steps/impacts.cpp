@@ -99,7 +99,7 @@ bool Simulation::bounce(Pass& pass) {
     its.linear = its.linear_before = impact.motions[i].linear;
     its.angular = its.angular_before = impact.motions[i].angular;
   }
-  tell(impact);
+  tell(impact, 1);
   return true;
 }
 
@@ -162,7 +162,7 @@ abut_status Simulation::end_at_once(double rest) {
   if (!bounce(pass)) return ABUT_NOT_CONVERGED;
   if (const abut_status status = add_forces(rest, pass); status != ABUT_OK) return status;
   if (!solve_islands(rest, pass)) return ABUT_NOT_CONVERGED;
-  tell(pass);
+  tell(pass, 1);
   keep(rest, pass);
   return write(rest, pass);
 }
@@ -177,12 +177,13 @@ abut_status Simulation::follow(double& rest) {
   const std::vector<StepContact> parted = taken_apart(pass, before);
   if (const abut_status status = add_forces(rest, pass); status != ABUT_OK) return status;
   if (!solve_islands(0, pass)) return ABUT_NOT_CONVERGED;
-  tell(pass);
   keep(rest, pass);
   const double time = flight_of(parted, before, velocities_of(pass.motions), rest);
   double passed = 0;
   bool is_impact = false;
   if (const abut_status status = advance(time, rest, pass, passed, is_impact); status != ABUT_OK) return status;
+  // Impulses act evenly through the rest of the step, which the impact has cut short.
+  tell(pass, passed / rest);
   const bool is_over = !is_impact && time == rest;
   rest = is_over ? 0 : rest - passed;
   return ABUT_OK;

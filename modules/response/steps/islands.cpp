@@ -57,7 +57,8 @@ abut_residuals residuals_of(const SolverReport& report) {
 }
 
 // Velocities and impulses of an island, and a push apart. False where they are not finite.
-bool Simulation::solve_island(const Island& island, double ahead, Pass& pass, abut_response_island& told) const {
+bool Simulation::solve_island(const Island& island, std::span<const std::uint32_t> elements, double ahead, Pass& pass,
+                              abut_response_island& told) const {
   std::vector<Motion>& motions = pass.motions;
   std::vector<StepContact>& contacts = pass.contacts;
   told.body_count = static_cast<std::uint32_t>(island.bodies.size());
@@ -66,7 +67,7 @@ bool Simulation::solve_island(const Island& island, double ahead, Pass& pass, ab
   std::erase_if(solved_contacts, [&](std::uint32_t k) { return !contacts[k].is_solved; });
   told.integrator = motions[island.bodies.front()].integrator;
   told.residuals.is_converged = 1;
-  if (solved_contacts.empty()) return true;
+  if (solved_contacts.empty() && elements.empty()) return true;
   Problem problem;
   Solution solution;
   for (const std::uint32_t body : island.bodies) {
@@ -89,13 +90,17 @@ bool Simulation::solve_island(const Island& island, double ahead, Pass& pass, ab
   const auto pushes = [](const Triple& impulse) { return impulse[0] != 0 || impulse[1] != 0 || impulse[2] != 0; };
   const bool is_warm = std::ranges::any_of(solution.impulses, pushes);
   if (is_warm) solution.velocities = velocities_of(problem, solution.impulses);
-  const SolverReport solved = solve(problem,
-                                    {.tolerance = options_.tolerance,
-                                     .speed = 0,
-                                     .most_rounds = options_.most_rounds,
-                                     .is_warm = is_warm,
-                                     .method = options_.solver == ABUT_SOLVER_SWEEPS ? Method::sweeps : Method::newton},
-                                    solution);
+  const SolverOptions options{.tolerance = options_.tolerance,
+                              .speed = 0,
+                              .most_rounds = options_.most_rounds,
+                              .is_warm = is_warm,
+                              .method = options_.solver == ABUT_SOLVER_SWEEPS ? Method::sweeps : Method::newton};
+  const SolverReport solved = elements.empty()
+                                  ? solve(problem, options, solution)
+                                  : solve_with_elements(island, elements, ahead, pass, options, problem, solution);
+  for (const std::uint32_t k : elements) {
+    for (std::uint32_t i = 0; i < pass.elements[k].count; ++i) motions[pass.elements[k].nodes[i]].is_pushed = true;
+  }
   told.residuals = residuals_of(solved);
   if (!solved.is_finite) return false;
   for (std::size_t i = 0; i < island.bodies.size(); ++i) {
@@ -156,8 +161,30 @@ bool Simulation::move_apart(const Island& island, const std::vector<std::uint32_
 }
 
 bool Simulation::solve_islands(double ahead, Pass& pass) const {
-  std::vector<Island> islands = islands_of(pass.motions.size(), sides_of(pass.contacts));
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> sides = sides_of(pass.contacts);
+  const auto first_element = static_cast<std::uint32_t>(sides.size());
+  // Of each element the first node that moves, with each of the others.
+  std::vector<std::uint32_t> element_of;
+  for (std::uint32_t k = 0; k < pass.elements.size(); ++k) {
+    std::vector<std::uint32_t> moving(pass.elements[k].nodes.begin(),
+                                      pass.elements[k].nodes.begin() + pass.elements[k].count);
+    std::erase_if(moving, [&](std::uint32_t node) { return !pass.motions[node].is_awake; });
+    for (std::size_t i = moving.size() == 1 ? 0 : 1; i < moving.size(); ++i) {
+      sides.emplace_back(moving[0], i == 0 ? no_body : moving[i]);
+      element_of.push_back(k);
+    }
+  }
+  std::vector<Island> islands = islands_of(pass.motions.size(), sides);
   std::erase_if(islands, [](const Island& island) { return island.contacts.empty(); });
+  std::vector<std::vector<std::uint32_t>> elements(islands.size());
+  for (std::size_t i = 0; i < islands.size(); ++i) {
+    for (const std::uint32_t k : islands[i].contacts) {
+      if (k < first_element) continue;
+      const std::uint32_t element = element_of[k - first_element];
+      if (elements[i].empty() || elements[i].back() != element) elements[i].push_back(element);
+    }
+    std::erase_if(islands[i].contacts, [&](std::uint32_t k) { return k >= first_element; });
+  }
   pass.islands.assign(islands.size(), {});
   pass.island_of.assign(pass.contacts.size(), 0);
   for (std::uint32_t i = 0; i < islands.size(); ++i) {
@@ -165,8 +192,9 @@ bool Simulation::solve_islands(double ahead, Pass& pass) const {
   }
   // Islands share nothing, and each is solved by one thread, so that bits do not depend on their number.
   std::vector<char> is_solved(islands.size());
-  share_jobs(islands.size(), options_.threads,
-             [&](std::size_t i) { is_solved[i] = solve_island(islands[i], ahead, pass, pass.islands[i]) ? 1 : 0; });
+  share_jobs(islands.size(), options_.threads, [&](std::size_t i) {
+    is_solved[i] = solve_island(islands[i], elements[i], ahead, pass, pass.islands[i]) ? 1 : 0;
+  });
   return std::ranges::all_of(is_solved, [](char its) { return its != 0; });
 }
 

@@ -144,13 +144,31 @@ abut_status Simulation::step_at_once(double dt) {
   if (!solve_islands(dt, pass)) return ABUT_NOT_CONVERGED;
   contacts_.clear();
   islands_.clear();
-  tell(pass);
+  tell(pass, 1);
   keep(dt, pass);
   // Last, because all before may fail for want of memory.
   if (const abut_status status = write(dt, pass); status != ABUT_OK) return status;
   finish(dt);
   return ABUT_OK;
 }
+
+namespace {
+
+[[nodiscard]] double elastic_energy(const Grains& particles) {
+  const auto place = [&](std::uint32_t node) {
+    const std::size_t first = 3 * std::size_t{node};
+    return abut_vec3{particles.xyz[first], particles.xyz[first + 1], particles.xyz[first + 2]};
+  };
+  double sum = 0;
+  for (const Spring& its : particles.springs) sum += force_of(its, {place(its.a), place(its.b)}).energy;
+  for (const Tetrahedron& its : particles.tetrahedra) {
+    const auto& [a, b, c, d] = its.nodes;
+    sum += force_of(its, {place(a), place(b), place(c), place(d)}).energy;
+  }
+  return sum;
+}
+
+}  // namespace
 
 abut_status Simulation::energy(abut_energy& out) const {
   abut_energy sum{};
@@ -178,6 +196,7 @@ abut_status Simulation::energy(abut_energy& out) const {
       sum.linear_momentum = add(sum.linear_momentum, scale(linear, mass));
       sum.angular_momentum = add(sum.angular_momentum, scale(cross(place, linear), mass));
     }
+    sum.potential += elastic_energy(particles);
   }
   out = sum;
   return ABUT_OK;

@@ -19,6 +19,7 @@ export module abut.response:simulation;
 import :island;
 import :link;
 import :mass;
+import :elastic;
 import :grains;
 import :problem;
 import :rules;
@@ -102,10 +103,17 @@ struct Yield {
 // For islands; contacts that do nothing join nobody.
 [[nodiscard]] std::vector<std::pair<std::uint32_t, std::uint32_t>> sides_of(const std::vector<StepContact>& contacts);
 
+// A spring or a tetrahedron while a step runs: which one of which particles, and the motions of its nodes.
+struct StepElement {
+  std::uint32_t grains = 0, number = 0, count = 0;
+  std::array<std::uint32_t, 4> nodes{};
+};
+
 // A step, or the part of it up to an impact.
 struct Pass {
   std::vector<Motion> motions;
   std::vector<StepContact> contacts;
+  std::vector<StepElement> elements{};
   std::vector<abut_response_island> islands;  // that were solved
   std::vector<std::uint32_t> island_of;       // of contacts
   std::vector<Link> bonds;                    // that contacts of the kind stick have made
@@ -148,6 +156,9 @@ class Simulation {
   // In the place of those that the geometry has.
   [[nodiscard]] abut_status set_particles(Grains particles);
   [[nodiscard]] bool remove_particles(abut_geometry_id geometry);
+  // Behind those that there are.
+  void add_springs(abut_geometry_id geometry, std::span<const Spring> springs);
+  void add_tetrahedra(abut_geometry_id geometry, std::span<const Tetrahedron> tetrahedra);
   [[nodiscard]] const Grains* particles_of(abut_geometry_id geometry) const;
   [[nodiscard]] bool stops_at_impacts() const { return (options_.flags & ABUT_RESPONSE_IMPACTS) != 0; }
   [[nodiscard]] bool has_particles() const { return !grains_.empty(); }
@@ -209,6 +220,16 @@ class Simulation {
   [[nodiscard]] abut_status read_side(const GeometryFacts& facts, std::uint32_t child, const abut_vec3& point,
                                       const Pass& pass, Side& out) const;
   void read_particles(Pass& pass) const;
+  void read_elements(std::size_t first, std::uint32_t grains, Pass& pass) const;
+  [[nodiscard]] ElasticForce force_of_element(const StepElement& element, const std::array<abut_vec3, 4>& places) const;
+  [[nodiscard]] std::array<double, 144> viscosity_of_element(const StepElement& element, const ElasticForce& force,
+                                                             const std::array<abut_vec3, 4>& places) const;
+  // Elements of an island, as they are where its bodies will be. `ends` has a place for each of its bodies.
+  void linearise(const Island& island, std::span<const std::uint32_t> elements, const std::vector<abut_vec3>& ends,
+                 double dt, const Pass& pass, Problem& problem) const;
+  [[nodiscard]] SolverReport solve_with_elements(const Island& island, std::span<const std::uint32_t> elements,
+                                                 double dt, const Pass& pass, const SolverOptions& options,
+                                                 Problem& problem, Solution& solution) const;
   [[nodiscard]] abut_status write_particles(double dt, const Pass& pass);
   // From its centre of mass to a point; particles do not turn.
   [[nodiscard]] abut_vec3 arm_of(std::uint32_t body, const abut_vec3& point, const Pass& pass) const;
@@ -233,13 +254,14 @@ class Simulation {
 
   // Whether all velocities are finite. Gaps are those after a time `ahead`.
   [[nodiscard]] bool solve_islands(double ahead, Pass& pass) const;
-  [[nodiscard]] bool solve_island(const Island& island, double ahead, Pass& pass, abut_response_island& told) const;
+  [[nodiscard]] bool solve_island(const Island& island, std::span<const std::uint32_t> elements, double ahead,
+                                  Pass& pass, abut_response_island& told) const;
   [[nodiscard]] bool move_apart(const Island& island, const std::vector<std::uint32_t>& solved_contacts,
                                 const Problem& solved, Pass& pass) const;
   [[nodiscard]] abut_status write(double dt, const Pass& pass);
 
-  // What is told of contacts and islands; impulses add up in a step.
-  void tell(const Pass& pass);
+  // What is told of contacts and islands; impulses add up in a step. `part` of the time of the pass has passed.
+  void tell(const Pass& pass, double part);
   // What the next step begins with.
   void keep(double dt, const Pass& pass);
   void keep_links(double dt, const Pass& pass);

@@ -53,7 +53,7 @@ abut_contact_state state_of(const StepContact& contact) {
   return sticks ? ABUT_CONTACT_STATE_STICKING : ABUT_CONTACT_STATE_SLIDING;
 }
 
-void Simulation::tell(const Pass& pass) {
+void Simulation::tell(const Pass& pass, double part) {
   const auto first_island = static_cast<std::uint32_t>(islands_.size());
   const std::size_t earlier = contacts_.size();
   for (std::size_t k = 0; k < pass.contacts.size(); ++k) {
@@ -65,7 +65,7 @@ void Simulation::tell(const Pass& pass) {
                               .id = record.id,
                               .point = contact.point,
                               .normal = record.normal,
-                              .impulse = impulse_of(contact),
+                              .impulse = scale(impulse_of(contact), part),
                               .force = {},
                               .distance = record.distance,
                               .normal_velocity = contact.velocity[2],

@@ -241,4 +241,53 @@ TEST(Composite, NumbersThatDoNotAddUpAreRefusedByName) {
           {"child 0", "pose"});
 }
 
+TEST(Composite, TellsItsChildren) {
+  const Shape ball = make_sphere(0.5), box = make_box(1, 2, 3), bore = cylinder_hole(0.25, 2, 3);
+  const abut_pose aside = turned(1, 2, 3, 0.4);
+  const std::array<const abut_shape*, 2> inner{box, bore};
+  const std::array<abut_pose, 2> inner_poses{aside, identity};
+  constexpr std::array<std::uint32_t, 2> inner_materials{7, 0}, outer_materials{3, 5};
+  abut_shape* made = nullptr;
+  require(abut_composite_create_with_materials(inner.data(), inner_poses.data(), inner_materials.data(), 2, &made));
+  const Shape pierced(made);
+  const std::array<const abut_shape*, 2> outer{ball, pierced};
+  const std::array<abut_pose, 2> outer_poses{at(4, 0, 0), at(0, 1, 0)};
+  require(abut_composite_create_with_materials(outer.data(), outer_poses.data(), outer_materials.data(), 2, &made));
+  const Shape whole(made);
+  std::size_t count = 0;
+  require(abut_composite_children(whole, nullptr, 0, &count));
+  ASSERT_EQ(count, 3U);
+  std::array<abut_composite_child, 3> children{};
+  require(abut_composite_children(whole, children.data(), children.size(), &count));
+  constexpr std::array<std::uint32_t, 3> materials{3, 7, 5};
+  const std::array<const char*, 3> kinds{"sphere", "box", "cylinder_hole"};
+  for (std::uint32_t i = 0; i < 3; ++i) {
+    EXPECT_EQ(children.at(i).material, materials.at(i));
+    EXPECT_EQ(children.at(i).is_hole, i == 2 ? 1U : 0U);
+    require(abut_composite_child_shape(whole, i, &made));
+    const Shape child(made);
+    EXPECT_STREQ(abut_shape_kind_name(abut_shape_kind_of(child)), kinds.at(i));
+  }
+  EXPECT_EQ(children[2].cut_begin, 1U);
+  EXPECT_EQ(children[2].cut_end, 3U);
+  EXPECT_EQ(children[0].pose.position.x, 4);
+  EXPECT_EQ(children[1].pose.position.y, 3);
+  EXPECT_NEAR(children[1].pose.orientation.w, aside.orientation.w, 1e-15);
+  EXPECT_NEAR(children[1].pose.orientation.x, aside.orientation.x, 1e-15);
+  EXPECT_NEAR(children[1].pose.orientation.z, aside.orientation.z, 1e-15);
+}
+
+TEST(Composite, HasChildrenAloneAndAsManyAsThereAre) {
+  const Shape ball = make_sphere(0.5), row = make_composite({ball, ball}, {at(0, 0, 0), at(3, 0, 0)});
+  std::size_t count = 9;
+  abut_shape* made = nullptr;
+  EXPECT_EQ(abut_composite_children(ball, nullptr, 0, &count), ABUT_UNSUPPORTED);
+  EXPECT_STREQ(abut_last_error_message(), "shape is a sphere; only a composite has children");
+  EXPECT_EQ(abut_composite_child_shape(ball, 0, &made), ABUT_UNSUPPORTED);
+  EXPECT_EQ(abut_composite_child_shape(row, 2, &made), ABUT_INDEX_OUT_OF_RANGE);
+  EXPECT_STREQ(abut_last_error_message(), "child is 2; it must be below 2, the number of children");
+  EXPECT_EQ(count, 9U);
+  EXPECT_EQ(made, nullptr);
+}
+
 }  // namespace

@@ -10,15 +10,15 @@ from typing import Annotated, Any
 from .base import Address, Double, Doubles, Id, Numbers, Struct, Text, UInt32, UInt32s, UInt64, struct
 
 __all__ = ["Vec3", "Quat", "Pose", "Aabb", "PartId", "GeometryId", "Feature", "HullReport", "MeshOptions", "MeshReport",
-    "UvGridOptions", "HeightFieldDesc", "DistanceFieldDesc", "DistanceFieldOptions", "DistanceFieldReport", "ShapeDesc",
-    "Ray", "RayHit", "QueryOptions", "Route", "Distance", "Contact", "PairMemory", "FirstTouch", "ElementCounts",
-    "ElementsOptions", "Stencil", "ElementPair", "Crossing", "Movement", "ImpactOptions", "Impact", "UniverseOptions",
-    "PartOptions", "Sleep", "GeometryOptions", "GeometryInfo", "Revision", "Collidable", "Policy", "Focus",
-    "ContactMaterial", "Event", "SleepChange", "LocalPoints", "StepStats", "Finding", "Island", "Velocity",
-    "Acceleration", "StepImpact", "ElementContact", "QueryFilter", "QueryHit", "CastHit", "ImpactHit", "Closest",
-    "LayoutEntry", "Pick", "Camera", "ClipPlane", "Snap", "Barycentric", "ContactProblem", "SolverOptions", "Residuals",
-    "MassProperties", "ResponseOptions", "BodyOptions", "ContactLaw", "ResponseSide", "LinkOptions", "ResponseContact",
-    "ResponseObject", "ResponseIsland", "Energy", "ResponseFinding"]
+    "UvGridOptions", "HeightFieldDesc", "DistanceFieldDesc", "DistanceFieldOptions", "DistanceFieldReport",
+    "CompositeChild", "ShapeDesc", "Ray", "RayHit", "QueryOptions", "Route", "Distance", "Contact", "PairMemory",
+    "FirstTouch", "ElementCounts", "ElementsOptions", "Stencil", "ElementPair", "Crossing", "Movement", "ImpactOptions",
+    "Impact", "UniverseOptions", "PartOptions", "Sleep", "GeometryOptions", "GeometryInfo", "Revision", "Collidable",
+    "Policy", "Focus", "ContactMaterial", "Event", "SleepChange", "LocalPoints", "StepStats", "Finding", "Island",
+    "Velocity", "Acceleration", "StepImpact", "ElementContact", "QueryFilter", "QueryHit", "CastHit", "ImpactHit",
+    "Closest", "LayoutEntry", "Pick", "Camera", "ClipPlane", "Snap", "Barycentric", "ContactProblem", "SolverOptions",
+    "Residuals", "MassProperties", "ResponseOptions", "BodyOptions", "ElasticOptions", "ContactLaw", "ResponseSide",
+    "LinkOptions", "ResponseContact", "ResponseObject", "ResponseIsland", "Energy", "ResponseFinding"]
 
 
 @struct
@@ -167,6 +167,15 @@ class DistanceFieldReport(Struct):
     far_error: Double
     least_stretch: Double
     most_stretch: Double
+
+
+@struct
+class CompositeChild(Struct):
+    pose: Pose
+    material: UInt32
+    is_hole: UInt32
+    cut_begin: UInt32
+    cut_end: UInt32
 
 
 @struct
@@ -756,6 +765,15 @@ class BodyOptions(Struct):
     integrator: UInt32
     density: Double
     mass: MassProperties
+
+
+@struct
+class ElasticOptions(Struct):
+    struct_size: UInt32
+    reserved: UInt32
+    young: Double
+    poisson: Double
+    damping: Double
 
 
 @struct
