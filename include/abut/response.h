@@ -572,8 +572,8 @@ typedef struct abut_response_island {
 } abut_response_island;
 
 /**
- * Islands of the last step that have contacts, springs or tetrahedra, each time that they were solved. Borrowed until the next [exclusive]
- * call. [const]
+ * Islands of the last step that have contacts, springs or tetrahedra, each time that they were solved. Borrowed until
+ * the next [exclusive] call. [const]
  */
 ABUT_API abut_status abut_response_islands(const abut_response *response, const abut_response_island **islands,
                                            size_t *count);
