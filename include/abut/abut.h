@@ -1846,9 +1846,9 @@ ABUT_API abut_status abut_geometry_vertices(const abut_universe *universe, abut_
                                             const double **xyz, size_t *count);
 
 /**
- * Lends memory for the next vertices of the mesh or the uv_grid of a geometry: the caller writes where they move to,
- * and abut_geometry_advance brings them there without a copy. At first it holds the present vertices, after an advance
- * those before it: so write all of them. Each geometry has memory of its own, also where geometries share a shape.
+ * Lends memory for the next vertices of the mesh or the uv_grid of a geometry. The caller writes where they move to.
+ * Then abut_geometry_advance brings them there without a copy. At first the memory holds the present vertices, after an
+ * advance those before it. So write all of them. Each geometry has memory of its own, also where a shape is shared.
  *
  * The memory is there until the geometry advances, is destroyed, or gets another shape or mesh. All other calls leave
  * it as it is. Do not write while another call on the universe runs. A call with the memory already lent lends the same
@@ -2611,9 +2611,9 @@ ABUT_API abut_status abut_universe_impacts(const abut_universe *universe, const 
  * which is proven. They touch as in a step: in ABUT_TOLERANCE_MARGIN at the tolerance. A step with time that follows
  * has the contacts of that touch; a detection has those of the present poses. Pairs that touch at the start hold
  * nothing up until they have parted, as above. Sensors hold nothing up, nor do pairs that a policy treats as boxes.
- * Velocities stay as they are. Fast geometries that have lent their next vertices advance as well, by the same share of
- * the way, and lend them no longer: their element contacts hold the world up as touches do, where features first come
- * as near as in a step. Vertices go on straight lines, also those of bodies that turn. It brings boxes up to date as
+ * Velocities stay as they are. Fast geometries that have lent their next vertices advance by the same share of the way,
+ * and lend them no longer. First touches of their elements hold the world up, as in a step. Vertices go on straight
+ * lines, also those of bodies that turn. It brings boxes up to date as
  * abut_universe_refresh does, finds velocities that are measured, and may ask the filter. It detects no contacts.
  * @param dt   not negative, as in abut_universe_step
  * @param out  the impact, without contacts. Where there is none, the geometries are null, and `lower` and `upper` 1

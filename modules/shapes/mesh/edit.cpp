@@ -244,12 +244,10 @@ Aabb Mesh::follow_all() {
 Fault Mesh::check_next(std::span<const Vec3> next) const {
   const auto name_of = [](std::size_t at) { return "next[" + std::to_string(at) + "]"; };
   for (std::size_t i = 0; i < next.size(); ++i) {
-    if (largest_magnitude(next[i]) <= largest_coordinate) {
-      continue;
-    }
     for (const int axis : {0, 1, 2}) {
-      if (Fault fault = check_finite(name_of(3 * i + static_cast<std::size_t>(axis)), next[i][axis])) {
-        return fault;
+      // The name is only put together for a fault. The largest of three numbers may hide a NaN among them.
+      if (!(std::fabs(next[i][axis]) <= largest_coordinate)) {
+        return check_finite(name_of(3 * i + static_cast<std::size_t>(axis)), next[i][axis]);
       }
     }
   }
