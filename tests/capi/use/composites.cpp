@@ -5,6 +5,7 @@
 #include <random>
 #include <set>
 
+#include "hollow_bodies.hpp"
 #include "support.hpp"
 
 namespace {

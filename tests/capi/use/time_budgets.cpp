@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "archive_support.hpp"
+#include "bad_values.hpp"
 #include "support.hpp"
 
 namespace {
