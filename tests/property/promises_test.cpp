@@ -58,8 +58,9 @@ struct Judged {
 };
 
 double overlap_along(const Judged& its, const abut_vec3& normal) {
-  return static_cast<double>(oracle::overlap_along(its.a.solid, pose_of(its.placement.a), its.b.solid,
-                                                   pose_of(its.placement.b), oracle::unit(property::vec_of(normal))));
+  return static_cast<double>(oracle::overlap_along(its.a.solid, property::pose_of(its.placement.a), its.b.solid,
+                                                   property::pose_of(its.placement.b),
+                                                   oracle::unit(property::vec_of(normal))));
 }
 
 abut_distance distance_of(const Judged& its, const abut_query_options& options) {
@@ -93,7 +94,7 @@ Judged judged(const SolidSubject& a, const SolidSubject& b, bool is_apart, Rando
     its.slack = std::abs(between - along);
   } else {
     const oracle::LeastOverlap least =
-        oracle::least_overlap(a.solid, pose_of(its.placement.a), b.solid, pose_of(its.placement.b),
+        oracle::least_overlap(a.solid, property::pose_of(its.placement.a), b.solid, property::pose_of(its.placement.b),
                               oracle::unit(property::vec_of(best.normal)));
     its.truth = -static_cast<double>(least.overlap);
   }

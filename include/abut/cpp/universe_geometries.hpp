@@ -167,7 +167,8 @@ class UniverseGeometries : public UniverseParts {
     const double* xyz = nullptr;
     std::size_t count = 0;
     const abut_status status = abut_geometry_vertices(get(), geometry, &xyz, &count);
-    return detail::answer(status, Span<const double>(xyz, 3 * count));
+    Span<const double> numbers(xyz, 3 * count);
+    return detail::answer(status, numbers);
   }
   Answer<Span<const double>> vertices(GeometryId geometry) const&& = delete;
   // The same numbers for where they move next, to be written. They are there until the geometry advances, goes or gets
@@ -176,7 +177,8 @@ class UniverseGeometries : public UniverseParts {
     double* xyz = nullptr;
     std::size_t count = 0;
     const abut_status status = abut_geometry_next_vertices(get(), geometry, &xyz, &count);
-    return detail::answer(status, Span<double>(xyz, 3 * count));
+    Span<double> numbers(xyz, 3 * count);
+    return detail::answer(status, numbers);
   }
   Answer<Span<double>> next_vertices(GeometryId geometry) && = delete;
   // What was written there becomes the vertices: of all these geometries, or of none.
