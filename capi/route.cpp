@@ -46,7 +46,8 @@ abut_status abut_pair_routes(abut_shape_kind kind_a, abut_shape_kind kind_b, abu
     std::span<abut_route> out;
     abut_status status = check_not_null("count", count);
     status = status != ABUT_OK ? status : read_span("routes", routes, "capacity", capacity, out);
-    status = status != ABUT_OK ? status : check_query_options(asked);
+    PairQuery query_of_options;
+    status = status != ABUT_OK ? status : read_given_options(asked, query_of_options);
     status = status != ABUT_OK ? status : check_value({"query"}, "", query, ABUT_QUERY_CONTACTS);
     if (status != ABUT_OK) {
       return status;

@@ -161,7 +161,8 @@ void Call::fill(unsigned char* place, const Value& value, std::size_t first, std
   } else if (value.is_real) {
     put(place, real_at(choice_.pattern, index));
   } else if (value.role == Role::number && value.size == sizeof(std::uint32_t)) {
-    put(place, faces.at(index % faces.size()));
+    // Of one pattern the corners of tetrahedra.
+    put(place, choice_.pattern == 3 ? static_cast<std::uint32_t>(index % 4) : faces.at(index % faces.size()));
   } else if (value.role == Role::handles) {
     put(place, world_.shape(choice_.kind));
   } else if (value.type == "abut_part_id") {

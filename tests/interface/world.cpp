@@ -40,6 +40,7 @@ std::vector<Shape> make_shapes() {
   const std::vector<double> radii(8, 0.1);
   shapes.push_back(
       made([&](abut_shape** out) { return abut_particles_create_with_radii(corners.data(), radii.data(), 8, out); }));
+  shapes.push_back(make_composite({shapes[0], shapes[1]}, {identity, at(3, 0, 0)}));
   return shapes;
 }
 
@@ -73,7 +74,7 @@ void append_stale(std::vector<std::uint64_t>& stale, Id doomed, Id foreign, Id g
 
 }  // namespace
 
-std::size_t World::kinds() { return 8; }
+std::size_t World::kinds() { return 9; }
 
 World::World() : universe_(&options()), shapes_(make_shapes()) {
   EXPECT_EQ(shapes_.size(), kinds());
@@ -85,6 +86,11 @@ World::World() : universe_(&options()), shapes_(make_shapes()) {
       parts_.push_back(universe_.add_part(pose));
       geometries_.push_back(universe_.add_geometry(parts_.back(), shape(kind)));
     }
+  }
+  for (std::size_t index = 0; index < of_a_kind; ++index) {
+    double* xyz = nullptr;
+    std::size_t numbers = 0;
+    require(abut_geometry_next_vertices(universe_, geometry(3, index), &xyz, &numbers));
   }
   const abut_part_id doomed = universe_.add_part(at(9, -20, 0));
   const abut_geometry_id doomed_geometry = universe_.add_geometry(doomed, shape(0));

@@ -24,7 +24,7 @@ def commands():
 
 
 def options():
-    return re.findall(r"^  (--[a-z]+)", run("--help").stdout, re.MULTILINE)
+    return re.findall(r"^  (--[a-z][a-z-]*)", run("--help").stdout, re.MULTILINE)
 
 
 class Help(program.Case):

@@ -16,7 +16,7 @@ constexpr std::array<CommandRow, 15> rows{
       "--steps --dt --threads --contacts --events --quiet --json"},
      {Command::explain, "explain", "SCENE", "steps a scene, prints what the last step did and why", stepping},
      {Command::explain_pair, "explain pair", "SCENE A B",
-      "prints every way to the distance of two geometries, with times, and what a budget takes",
+      "prints every way to a distance, with times, and what a budget takes",
       "--steps --dt --threads --error-bound --time-budget --routes --json"},
      {Command::check, "check", "SCENE [A B]", "tells what is odd about a scene, or why A and B touch or not", stepping},
      {Command::distance, "distance", "[SCENE] A B", "prints the distance of A and B, its interval and its points",
