@@ -42,6 +42,13 @@ class Lean(program.Case):
         self.assertEqual(self.named([BALL], universe={"threads": 4})[1], ["threads"])
         self.assertEqual(self.named([BALL], policies=[{"tags": [0, 0], "algorithm": "libccd_mpr"}])[1], ["libccd"])
 
+    def test_motion_and_deforming_are_named_where_the_scene_asks(self):
+        for flag in ("fast", "speculative"):
+            scene = {"version": 1, "parts": [{"geometries": [{"shape": BALL, flag: True}]}]}
+            found = json.loads(self.succeed("lean", self.scene(scene), "--json").stdout)
+            self.assertEqual(found["features"], ["motion"])
+        self.assertEqual(self.named([BALL], policies=[{"tags": [0, 0], "detail": "elements"}])[1], ["deforming"])
+
     def test_the_line_is_what_is_printed(self):
         self.assertEqual(self.succeed("lean", SCENES / "stack.json").stdout,
                          'cmake --preset release -B build/lean-scene -D "ABUT_SHAPES=box;plane" -D "ABUT_FEATURES=" -D ABUT_WARNINGS=OFF '

@@ -28,6 +28,14 @@ std::vector<std::string> shapes_of(const Scene& scene) {
 
 std::vector<std::string> features_of(const Scene& scene) {
   std::vector<std::string> names;
+  if (std::ranges::any_of(scene.policies,
+                          [](const Policy& one) { return one.policy.detail == ABUT_DETAIL_ELEMENTS; })) {
+    names.emplace_back("deforming");
+  }
+  constexpr abut_geometry_flags ahead = ABUT_GEOMETRY_FAST | ABUT_GEOMETRY_SPECULATIVE;
+  if (std::ranges::any_of(scene.geometries, [](const Geometry& one) { return (one.options.flags & ahead) != 0; })) {
+    names.emplace_back("motion");
+  }
   const auto asks_for_libccd = [](const Policy& one) {
     return one.policy.algorithm == ABUT_ALGORITHM_LIBCCD_GJK || one.policy.algorithm == ABUT_ALGORITHM_LIBCCD_MPR;
   };

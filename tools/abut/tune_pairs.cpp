@@ -164,7 +164,11 @@ TunedPairs make_pairs(std::string_view kind_a, std::string_view kind_b, std::siz
     pairs.apart.push_back(place(pairs.apart.size(), std::pow(10, random.uniform(-3, -0.3))));
   }
   while (pairs.overlapping.size() < count) {
-    pairs.overlapping.push_back(place(pairs.overlapping.size(), -random.uniform(0.01, 0.1)));
+    const TunedPair pair = place(pairs.overlapping.size(), -random.uniform(0.01, 0.1));
+    // Tips of two cones may pass each other.
+    if (distance_of(pair).distance < 0) {
+      pairs.overlapping.push_back(pair);
+    }
   }
   return pairs;
 }
