@@ -28,7 +28,7 @@ constexpr std::array<CommandRow, 15> rows{
      {Command::lean, "lean", "SCENE", "prints the line that configures the build a scene needs", "--json"},
      {Command::report, "report", "[REPORT]", "draws errors and times as a page; without a report, measures first",
       "--quick --build --compare --out"},
-     {Command::tune, "tune", "[FILE]", "measures this machine and writes what time budgets choose by; 10 seconds", ""},
+     {Command::tune, "tune", "[FILE]", "measures this machine for time budgets, in some 10 seconds", ""},
      {Command::shapes, "shapes", "", "lists the kinds of shapes and their parameters", "--json"},
      {Command::completion, "completion", "SHELL", "prints completion for bash, zsh or fish", ""},
      {Command::manual, "manual", "", "prints the manual page, for man -l -", ""},
