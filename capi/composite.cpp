@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What composites are made of.
+// The children of composites.
 #include "convert.hpp"
 #include "guard.hpp"
 #include "shape_handle.hpp"

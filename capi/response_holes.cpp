@@ -26,8 +26,8 @@ namespace {
 using response::MassProperties;
 using response::Prism;
 
-// Holes count as smaller by this part of their size, so that one whose wall lies in the surface of a solid is within
-// it. The volume of such a layer is below what a mass tells.
+// Holes count as smaller by this part of their size. So a hole whose wall lies in the surface of a solid is within it.
+// The volume of such a layer is below what a mass tells.
 constexpr double part_of_size = 1e-9;
 
 // A hole as a solid of its own; what it takes out of one solid.
@@ -98,7 +98,7 @@ struct Plug {
 
 enum class Where : unsigned char { beside, within, across };
 
-// Of triangles: what crosses none of them is within or beside them as a whole.
+// The surface of a solid of triangles: a plug that crosses none of them is within or beside them as a whole.
 [[nodiscard]] abut_status find_among_triangles(const Plug& plug, CompositePart& solid, Where& out) {
   std::size_t vertices = 0, triangles = 0;
   abut_status status = abut_shape_triangles(solid.shape.get(), nullptr, 0, &vertices, nullptr, 0, &triangles);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What holes take out of the solids of a composite, seen through abut.h.
+// The masses that holes take out of the solids of a composite, seen through abut.h.
 #ifndef ABUT_CAPI_RESPONSE_HOLES_HPP
 #define ABUT_CAPI_RESPONSE_HOLES_HPP
 
@@ -31,8 +31,8 @@ struct CompositePart {
 
 [[nodiscard]] abut_status parts_of_composite(const abut_shape* shape, std::vector<CompositePart>& out);
 
-/// What holes take out of solids, of density 1, in the frame of the composite: appended to `out`. Refuses where a hole
-/// leaves a solid by other walls than flat ends of it, and where two holes overlap.
+/// Appends to `out` the masses that holes take out of solids, of density 1, in the frame of the composite. Refuses
+/// where a hole leaves a solid by other walls than flat ends of it, and where two holes overlap.
 [[nodiscard]] abut_status missing_of_holes(std::vector<CompositePart>& parts,
                                            std::vector<response::MassProperties>& out);
 
