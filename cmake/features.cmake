@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 # Optional parts. A part that is left out is not compiled, not linked and not looked for.
-set(abut_known_features deforming motion libccd hull picking response threads)
+set(abut_known_features universe deforming motion libccd hull picking response threads)
 foreach(feature IN LISTS ABUT_FEATURES)
   if(NOT feature IN_LIST abut_known_features)
     message(FATAL_ERROR "ABUT_FEATURES names '${feature}'; known are: ${abut_known_features}")
@@ -12,6 +12,17 @@ foreach(feature IN LISTS abut_known_features)
     set(ABUT_WITH_${upper} ON)
   else()
     set(ABUT_WITH_${upper} OFF)
+  endif()
+endforeach()
+
+foreach(feature IN ITEMS picking response)
+  if(feature IN_LIST ABUT_FEATURES AND NOT ABUT_WITH_UNIVERSE)
+    message(FATAL_ERROR "The feature '${feature}' needs the feature 'universe' in ABUT_FEATURES")
+  endif()
+endforeach()
+foreach(option IN ITEMS ABUT_TESTS ABUT_BENCH ABUT_TOOLS)
+  if(${option} AND NOT ABUT_WITH_UNIVERSE)
+    message(FATAL_ERROR "${option} needs the feature 'universe' in ABUT_FEATURES")
   endif()
 endforeach()
 

@@ -7,7 +7,7 @@ set_property(GLOBAL PROPERTY abut_known_shapes "")
 
 # name: of the file modules/shapes/<name>.cppm, or of the folder of that name with this file and its helpers;
 # class: in it; kind: the number in the C ABI, never reused; FEATURE: builds without this feature leave the shape out; OF_ANY: the class is
-# a template that gets the type of a shape of any kind; NEEDS: kernels of cmake/kernels.cmake that it is answered with;
+# a template that gets the type of a shape of any kind; NEEDS: parts of cmake/parts.cmake that it is answered with;
 # BESIDE: another shape, most of whose kernels have the same cores or parts: the
 # rows of both are compiled in one unit, where they are there once.
 function(abut_shape name class kind)
@@ -35,10 +35,10 @@ endfunction()
 abut_shape(sphere       Sphere      1)
 abut_shape(box          Box         2)
 abut_shape(capsule      Capsule     3)
-abut_shape(plane        Plane       4 NEEDS half_space)
+abut_shape(plane        Plane       4 NEEDS walls)
 abut_shape(hull         Hull        5 FEATURE hull)
-abut_shape(mesh         Mesh        6 NEEDS half_space surfaces overlap_of_surfaces)
-abut_shape(height_field HeightField 7 NEEDS half_space surfaces overlap_of_surfaces)
+abut_shape(mesh         Mesh        6 NEEDS walls surfaces)
+abut_shape(height_field HeightField 7 NEEDS walls surfaces)
 abut_shape(point        Point       8 BESIDE sphere)
 abut_shape(segment      Segment     9 BESIDE capsule)
 abut_shape(triangle     FreeTriangle 10 BESIDE height_field)
@@ -46,11 +46,11 @@ abut_shape(cylinder     Cylinder    11 NEEDS discs)
 abut_shape(cone         Cone        12 NEEDS discs)
 abut_shape(ellipsoid    Ellipsoid   13)
 abut_shape(particles    Particles   14 BESIDE sphere)
-abut_shape(composite    CompositeOf 15 OF_ANY)
-abut_shape(sphere_hole  SphereHole  16 NEEDS half_space hole)
-abut_shape(cylinder_hole CylinderHole 17 BESIDE sphere_hole NEEDS half_space hole)
-abut_shape(box_hole     BoxHole     18 BESIDE sphere_hole NEEDS half_space hole)
-abut_shape(distance_field DistanceField 19 NEEDS fields field_surfaces)
+abut_shape(composite    CompositeOf 15 OF_ANY NEEDS walls composites)
+abut_shape(sphere_hole  SphereHole  16 NEEDS walls)
+abut_shape(cylinder_hole CylinderHole 17 BESIDE sphere_hole NEEDS walls)
+abut_shape(box_hole     BoxHole     18 BESIDE sphere_hole NEEDS walls)
+abut_shape(distance_field DistanceField 19 NEEDS fields fields_of_meshes)
 abut_form(UvGrid 20 mesh)
 
 # ---- nothing below changes when a shape is added ----
@@ -76,10 +76,14 @@ else()
   endforeach()
 endif()
 
-set(abut_needed_kernels "")
+# Tests look into all of it.
+set(abut_parts_of_build ${ABUT_FEATURES})
+if(ABUT_TESTS)
+  list(APPEND abut_parts_of_build surfaces fields walls discs composites)
+endif()
 foreach(name IN LISTS abut_enabled_shapes)
   get_property(needs GLOBAL PROPERTY abut_needs_${name})
-  list(APPEND abut_needed_kernels ${needs})
+  list(APPEND abut_parts_of_build ${needs})
 endforeach()
 
 # Shapes that are known and left out: tests whose scenes need every kind ask for it.
@@ -133,7 +137,7 @@ function(abut_write_registry out_interfaces out_rows)
     list(APPEND row_files ${gen}/row_${name}.cpp)
   endforeach()
   # Cores that shapes share are compiled for each of them, and linked once.
-  if(surfaces IN_LIST abut_needed_kernels)
+  if(surfaces IN_LIST abut_parts_of_build)
     foreach(name IN LISTS abut_enabled_shapes)
       get_property(class GLOBAL PROPERTY abut_class_${name})
       if(NOT class MATCHES "<")

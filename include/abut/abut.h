@@ -167,7 +167,7 @@ ABUT_API const char *abut_version_string(void);
  */
 ABUT_API abut_status abut_check_version(uint32_t major, uint32_t minor);
 
-/** 1 when this build contains the feature ("libccd", "hull"), otherwise 0. [any] */
+/** 1 when this build contains the feature ("universe", "hull"), otherwise 0. [any] */
 ABUT_API uint32_t abut_has_feature(const char *name);
 
 /* ------------------------------------------------------------------------------------------------
@@ -1410,6 +1410,8 @@ ABUT_API abut_status abut_pairs_time_of_impact(const abut_shape *a, const abut_p
 
 /* ------------------------------------------------------------------------------------------------
  * Universe
+ *
+ * A build without the feature "universe" answers ABUT_UNSUPPORTED to all functions that take an abut_universe.
  * --------------------------------------------------------------------------------------------- */
 
 /** A space in which parts meet. Owned by its creator. */

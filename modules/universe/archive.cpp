@@ -7,7 +7,7 @@ import abut.core.archive;
 import abut.core.standard;
 import abut.core;
 import abut.detect.lists.contacts;
-import abut.detect.paths.continuous;
+import abut.detect.continuous;
 import abut.detect.elements;
 import abut.detect.lists.events;
 import abut.detect.pairs.jobs;

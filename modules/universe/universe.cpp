@@ -8,7 +8,7 @@ import abut.core.standard;
 import abut.core.workers;
 import abut.core;
 import abut.detect.lists.contacts;
-import abut.detect.paths.continuous;
+import abut.detect.continuous;
 import abut.detect.elements;
 import abut.detect.lists.events;
 import abut.detect.lists.hash;

@@ -9,7 +9,7 @@ import abut.core.standard;
 import abut.core.workers;
 import abut.core;
 import abut.detect.lists.contacts;
-import abut.detect.paths.continuous;
+import abut.detect.continuous;
 export import abut.detect.elements;
 import abut.detect.lists.events;
 export import abut.detect.lists.islands;

@@ -13,7 +13,7 @@ from conan.tools.cmake import CMake, CMakeDeps, CMakeToolchain, cmake_layout
 from conan.tools.files import copy, get, rmdir
 from conan.tools.gnu import PkgConfigDeps
 
-FEATURES = ("deforming", "motion", "libccd", "hull", "picking", "response", "threads")
+FEATURES = ("universe", "deforming", "motion", "libccd", "hull", "picking", "response", "threads")
 EXTENSIONS = ("picking", "response")  # features that are libraries of their own
 
 

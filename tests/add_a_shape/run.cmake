@@ -17,9 +17,9 @@ string(SUBSTRING "${registry}" 0 ${last} before)
 string(SUBSTRING "${registry}" ${last} -1 after)
 file(WRITE ${tree}/cmake/registry.cmake "${before}\nabut_shape(rounded_cone RoundedCone 60000)${after}")
 
-set(features "")
+set(features universe)
 if(hull)
-  set(features hull)
+  set(features "universe\\;hull")
 endif()
 # One kind of each capability: a ball and a box (closed forms), a half-space, a hull, a curved solid, a surface, many solids,
 # an assembly and a hole. All kinds would make four times as many pairs, which take minutes to compile.

@@ -5,33 +5,41 @@ cmake_minimum_required(VERSION 3.28)
 include(${CMAKE_CURRENT_LIST_DIR}/../run_step.cmake)
 
 set(build ${work}/build)
-run(${CMAKE_COMMAND} -E chdir ${root} ${CMAKE_COMMAND} --preset lean -B ${build}
-    -D CMAKE_C_COMPILER=${c} -D CMAKE_CXX_COMPILER=${cxx})
-
-# Spheres and boxes need no surfaces, no holes, no discs, no composites and no trees of triangles.
-file(READ ${build}/compile_commands.json commands)
-foreach(unneeded IN ITEMS two_surfaces/crossing_surfaces walls/rim_point discs/disc_depth composites/composites boxes/bvh shapes/hull)
-  if(commands MATCHES "/modules/[a-z_/]*${unneeded}[a-z_]*\\.cpp")
-    message(FATAL_ERROR "the preset lean compiles ${CMAKE_MATCH_0}")
+# Builds spheres and boxes with these features, and runs a program with the library. None of `unneeded` is compiled. The row of
+# docs/lean.md that begins with `row` tells the number of sources, and the size within 2 %.
+function(build_lean features row unneeded)
+  run(${CMAKE_COMMAND} -E chdir ${root} ${CMAKE_COMMAND} --preset lean -B ${build}
+      -D CMAKE_C_COMPILER=${c} -D CMAKE_CXX_COMPILER=${cxx} -D ABUT_FEATURES=${features})
+  file(READ ${build}/compile_commands.json commands)
+  foreach(folder IN LISTS unneeded)
+    if(commands MATCHES "/modules/${folder}/[a-z_]*\\.cpp")
+      message(FATAL_ERROR "with the features '${features}' the preset lean compiles ${CMAKE_MATCH_0}")
+    endif()
+  endforeach()
+  string(REGEX MATCHALL "\"file\":" units "${commands}")
+  list(LENGTH units count)
+  run(${CMAKE_COMMAND} --build ${build} --target abut)
+  file(REAL_PATH ${build}/capi/libabut.so library)
+  file(SIZE ${library} bytes)
+  message(STATUS "features '${features}': ${count} units, ${bytes} bytes")
+  file(STRINGS ${root}/docs/lean.md told REGEX "^\\| ${row} \\|")
+  string(REGEX MATCH "\\| ([0-9]+) \\|.* ([0-9,]+) kB \\|$" told "${told}")
+  set(told_count ${CMAKE_MATCH_1})
+  string(REPLACE "," "" told_size "0${CMAKE_MATCH_2}")
+  math(EXPR least "980 * ${told_size}")
+  math(EXPR most "1020 * ${told_size}")
+  if(NOT count EQUAL told_count OR bytes LESS least OR bytes GREATER most)
+    message(FATAL_ERROR "docs/lean.md says otherwise: ${told}")
   endif()
-endforeach()
-string(REGEX MATCHALL "\"file\":" units "${commands}")
-list(LENGTH units count)
-message(STATUS "${count} units")
-if(count GREATER ${most_units})
-  message(FATAL_ERROR "the preset lean compiles ${count} units; ${most_units} are allowed")
-endif()
+  run(${c} -I ${root}/include ${source}/lean.c -o ${work}/lean -L ${build}/capi -labut)
+  run(${CMAKE_COMMAND} -E env LD_LIBRARY_PATH=${build}/capi ${work}/lean)
+endfunction()
 
-run(${CMAKE_COMMAND} --build ${build} --target abut)
-file(REAL_PATH ${build}/capi/libabut.so library)
-file(SIZE ${library} bytes)
-message(STATUS "${bytes} bytes")
-if(bytes GREATER most_bytes)
-  message(FATAL_ERROR "libabut.so has ${bytes} bytes; ${most_bytes} are allowed")
-endif()
-
-run(${c} -I ${root}/include ${source}/lean.c -o ${work}/lean -L ${build}/capi -labut)
-run(${CMAKE_COMMAND} -E env LD_LIBRARY_PATH=${build}/capi ${work}/lean)
+# Spheres and boxes need no surfaces, no holes, no discs, no composites and no field; pairs alone need no broad phase and no step.
+set(unneeded narrow/two_surfaces narrow/walls narrow/fan/discs narrow/field pairs/composites/rows trees/samples shapes/hull
+             motion/impacts proximity)
+build_lean("" "preset `lean`" "${unneeded};broadphase;scene;detect/pairs;universe;queries")
+build_lean(universe "the same with `universe`" "${unneeded}")
 
 # A scene that asks for this build gets the same bits from it as from a whole one.
 if(program)

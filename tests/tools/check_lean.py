@@ -24,7 +24,7 @@ class Lean(program.Case):
         return found["shapes"], found["features"]
 
     def test_shapes_are_named_once(self):
-        self.assertEqual(self.named([BOX, BALL, BALL]), (["sphere", "box"], []))
+        self.assertEqual(self.named([BOX, BALL, BALL]), (["sphere", "box"], ["universe"]))
 
     def test_children_of_composites_count(self):
         self.assertEqual(self.named([{"kind": "composite", "children": [{"shape": BALL}]}])[0], ["sphere", "composite"])
@@ -36,22 +36,22 @@ class Lean(program.Case):
         self.assertEqual(self.named([GRID])[0], ["mesh"])
 
     def test_a_hull_needs_its_feature(self):
-        self.assertEqual(self.named([HULL]), (["hull"], ["hull"]))
+        self.assertEqual(self.named([HULL]), (["hull"], ["universe", "hull"]))
 
     def test_threads_and_libccd_are_named_where_the_scene_asks(self):
-        self.assertEqual(self.named([BALL], universe={"threads": 4})[1], ["threads"])
-        self.assertEqual(self.named([BALL], policies=[{"tags": [0, 0], "algorithm": "libccd_mpr"}])[1], ["libccd"])
+        self.assertEqual(self.named([BALL], universe={"threads": 4})[1], ["universe", "threads"])
+        self.assertEqual(self.named([BALL], policies=[{"tags": [0, 0], "algorithm": "libccd_mpr"}])[1], ["universe", "libccd"])
 
     def test_motion_and_deforming_are_named_where_the_scene_asks(self):
         for flag in ("fast", "speculative"):
             scene = {"version": 1, "parts": [{"geometries": [{"shape": BALL, flag: True}]}]}
             found = json.loads(self.succeed("lean", self.scene(scene), "--json").stdout)
-            self.assertEqual(found["features"], ["motion"])
-        self.assertEqual(self.named([BALL], policies=[{"tags": [0, 0], "detail": "elements"}])[1], ["deforming"])
+            self.assertEqual(found["features"], ["universe", "motion"])
+        self.assertEqual(self.named([BALL], policies=[{"tags": [0, 0], "detail": "elements"}])[1], ["universe", "deforming"])
 
     def test_the_line_is_what_is_printed(self):
         self.assertEqual(self.succeed("lean", SCENES / "stack.json").stdout,
-                         'cmake --preset release -B build/lean-scene -D "ABUT_SHAPES=box;plane" -D "ABUT_FEATURES=" -D ABUT_WARNINGS=OFF '
+                         'cmake --preset release -B build/lean-scene -D "ABUT_SHAPES=box;plane" -D "ABUT_FEATURES=universe" -D ABUT_WARNINGS=OFF '
                          "-D ABUT_TESTS=OFF -D ABUT_TOOLS=OFF -D ABUT_BENCH=OFF\n")
 
     def test_a_scene_without_shapes_is_refused(self):

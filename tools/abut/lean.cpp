@@ -27,7 +27,7 @@ std::vector<std::string> shapes_of(const Scene& scene) {
 }
 
 std::vector<std::string> features_of(const Scene& scene) {
-  std::vector<std::string> names;
+  std::vector<std::string> names{"universe"};
   if (std::ranges::any_of(scene.policies,
                           [](const Policy& one) { return one.policy.detail == ABUT_DETAIL_ELEMENTS; })) {
     names.emplace_back("deforming");

@@ -9,6 +9,7 @@ import shutil
 import sys
 from pathlib import Path
 
+import absent
 import bad_input
 import csharp
 import header
@@ -20,7 +21,7 @@ import rust
 import symbols
 
 NOTICE = "Made by scripts/interface from the headers in include/abut, where each name is described. Do not edit."
-WRITERS = (layout, symbols, bad_input, csharp, lua, node, python, rust)
+WRITERS = (absent, layout, symbols, bad_input, csharp, lua, node, python, rust)
 
 
 def made(root):

@@ -110,10 +110,11 @@ class Header:
 
 
 class Interface:
-    """All headers, and their declarations by name."""
+    """All headers, their declarations by name, and the folder of the project."""
 
-    def __init__(self, headers):
+    def __init__(self, headers, root):
         self.headers = headers
+        self.root = root
         self.by_name = {item.name: item for header in headers for item in header.items}
 
     @property
@@ -239,4 +240,4 @@ def read(root):
         own = [node for node in _tree(path)["inner"]
                if node.get("name", "").startswith("abut_") and "includedFrom" not in str(node["loc"])]
         headers.append(Header(name, _macros(text) + _Reader(text).items(own)))
-    return Interface(headers)
+    return Interface(headers, root)

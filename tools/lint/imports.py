@@ -33,7 +33,8 @@ def import_graph(sources):
     for path, source in sources.items():
         if source.is_cxx:
             near = posixpath.dirname(path)
-            included = [posixpath.normpath(posixpath.join(near, name)) for name in _INCLUDED.findall(source.bare)]
+            included = [posixpath.normpath(posixpath.join(folder, name)) for name in _INCLUDED.findall(source.bare)
+                        for folder in dict.fromkeys((near, "capi"))]
             named = [files[name] for name in _NAMED.findall(source.code) if name in files]
             graph[path] = [other for other in named + included if other in sources and other != path]
     return graph

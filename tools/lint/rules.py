@@ -141,11 +141,11 @@ def module_path(source):
     """The name of a module mirrors its path; what stands in for an absent feature has the name of the module."""
     if source.suffix != ".cppm" or not source.within("modules"):
         return
-    path = ["abut", *source.path.split(".")[0].removesuffix("_absent").split("/")[1:]]
-    if len(path) > 2 and path[-1] == path[-2]:
+    path = ["abut", *source.path.split(".")[0].replace("_absent/", "/").split("/")[1:]]
+    if path[-1] == path[-2]:
         path.pop()
     for line, match in source.find(r"^\s*export\s+module\s+([\w.]+)\s*;", source.code):
-        if match[1] != ".".join(path) and path != ["abut", "abut"]:
+        if match[1] != ".".join(path):
             yield line, f"module {match[1]} lies in {source.path}"
 
 

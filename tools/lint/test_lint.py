@@ -61,7 +61,7 @@ SNIPPETS = {
         (MODULE, "export module abut.narrow.polytope.epa;", "export module abut.narrow.apart.gjk;"),
         ("modules/core/core.cppm", "export module abut.math;", "export module abut.core;"),
         ("modules/shapes/a_b.cppm", "export module abut.shape.a_b;", "export module abut.shapes.a_b;"),
-        ("modules/shapes/a_absent.cppm", "export module abut.shapes.a_absent;", "export module abut.shapes.a;"),
+        ("modules/shapes/a_absent/a.cppm", "export module abut.shapes.a_absent;", "export module abut.shapes.a;"),
     ],
     "interface_linkage": [
         (MODULE, "export module abut.narrow.apart.gjk;\nnamespace { int x; }", "export module abut.narrow.apart.gjk;\nnamespace abut { int x; }"),
@@ -204,7 +204,7 @@ TREES = {
         ({**BOX, "modules/universe/a.cppm": "Box b;"}, {**BOX, "modules/universe/a.cppm": "Boxes b; // Box"}),
         ({**BOX, "modules/universe/a.cppm": "class Box;\nBox b;"}, {**BOX, "modules/universe/a.cppm": "class alignas(8) Box {};\nBox b;"}),
         ({**BOX, "modules/universe/a.cppm": "import abut.shapes.box;"}, {**BOX, "modules/universe/a.cppm": "import abut.capability;"}),
-        ({**BOX, "capi/a.cpp": 'kind("box");'}, {**BOX, "capi/shape.cpp": 'kind("box");'}),
+        ({**BOX, "capi/a.cpp": 'kind("box");'}, {**BOX, "capi/shapes/shape.cpp": 'kind("box");'}),
         ({**BOX, "modules/shapes/ball.cppm": "Box b;"}, {**BOX, "modules/shapes/box/faces.cppm": "Box b;"}),
     ],
     "header": [

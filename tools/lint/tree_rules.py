@@ -13,9 +13,9 @@ HEADERS = {"include/abut/abut.h": "capi/symbols.txt", "include/abut/picking.h": 
 PROTOTYPE = r"\bABUT_API\b[^;{}()]*?\b(abut_\w+)\s*\("
 
 # Two surfaces that move are asked for each triangle, and programs in C++ may use any shape.
-MAY_SEE_SHAPES = ("modules/shapes", "modules/pairs", "modules/motion/impacts/moving_surfaces.cpp", "modules/abut.cppm")
+MAY_SEE_SHAPES = ("modules/shapes", "modules/pairs", "modules/motion/impacts/moving_surfaces.cpp", "modules/abut.cppm.in")
 # Besides the shape's own file, which is checked by name: the typed shorthands of the C interface may name shapes.
-MAY_NAME_SHAPES = ("capi/shape.cpp", "capi/shape_simple.cpp", "capi/shape_particles.cpp")
+MAY_NAME_SHAPES = ("capi/shapes/shape.cpp", "capi/shapes/shape_simple.cpp", "capi/shapes/shape_particles.cpp", "capi/absent.cpp")
 
 # Files of a folder of modules.
 MOST_FILES = 14
@@ -24,10 +24,10 @@ DECLARES = r"\b(?:struct|class)\s+(?:alignas\s*\([^)]*\)\s*|\[\[[^\]]*\]\]\s*)*"
 
 # Rank of a module by its folder; imports go from higher to lower or stay level.
 LAYERS = [
-    ("core", "core/memory"),
+    ("core", "core/memory", "core/threads"),
     ("math",),
     ("capability", "capability/cores", "capability/parts"),
-    ("triangles",),
+    ("triangles", "triangles/elements"),
     ("trees/volumes", "trees/inside"),
     ("trees/boxes", "trees/grids", "trees/samples"),
     ("trees/elements",),
@@ -36,7 +36,7 @@ LAYERS = [
     ("narrow/cores",),
     ("narrow/apart", "narrow/fan", "narrow/manifold"),
     ("narrow/fan/discs",),
-    ("narrow/polytope", "narrow/libccd"),
+    ("narrow/polytope", "narrow/libccd", "narrow/libccd/query"),
     ("narrow/points",),
     ("narrow/convex",),
     ("narrow/warm", "narrow/triangle", "narrow/cast"),
@@ -45,20 +45,20 @@ LAYERS = [
     ("narrow/field",),
     ("narrow/walls",),
     ("narrow/surface",),
-    ("narrow/sides", "narrow/two_surfaces", "narrow/overlap"),
+    ("narrow/sides", "narrow/two_surfaces", "narrow/overlap", "narrow/overlap/surfaces"),
     ("pairs", "deforming"),
     ("elements",),
     ("proximity", "proximity/search"),
     ("pairs/rows",),
-    ("pairs/registry", "pairs/composites", "pairs/surfaces"),
-    ("pairs/any_shape",),
+    ("pairs/registry", "pairs/composites", "pairs/composites/rows", "pairs/surfaces", "pairs/surfaces/met"),
+    ("pairs/any_shape", "pairs/any_shape/fields"),
     ("pairs/any_shape/casts", "pairs/two_shapes", "pairs/taken_apart"),
     ("motion", "motion/impacts", "motion/paths"),
     ("scene", "scene/state", "scene/meetings", "scene/rest"),
-    ("detect", "detect/pairs"),
+    ("detect/elements", "detect/pairs"),
     ("detect/lists",),
-    ("queries", "report", "detect/paths"),
-    ("universe",),
+    ("queries", "queries/motion", "report", "detect/paths", "detect/continuous"),
+    ("universe", "universe/motion"),
     ("picking", "picking/tracer", "picking/view", "response", "response/bodies", "response/manager", "response/report",
      "response/solver", "response/steps", "gpu"),
 ]
@@ -66,9 +66,10 @@ RANKS = {folder: rank for rank, folders in enumerate(LAYERS) for folder in folde
 
 
 def _folder(source):
-    """The folder below modules that a module file lies in; None for the umbrella above all layers."""
+    """The folder below modules that a module file lies in; None for what lies above all layers.
+    What stands in for an absent feature lies in the layer of the feature."""
     parts = source.path.split("/")
-    return "/".join(parts[1:-1]) if parts[0] == "modules" and len(parts) > 2 else None
+    return "/".join(parts[1:-1]).removesuffix("_absent") if parts[0] == "modules" and len(parts) > 2 else None
 
 
 def layer_order(sources):

@@ -12,5 +12,6 @@ def sections(document):
                      words.size(one["stripped_bytes"]), f"{one['start_milliseconds']:.2f} ms", words.size(one["resident_bytes"]),
                      words.time(one["step_microseconds"] * 1e3) if one["step_microseconds"] else "-", ", ".join(one["libraries"])])
     yield {"id": "builds", "title": "What was left out", "figures": [], "keys": [], "tables": [{"head": head, "rows": rows}],
-           "text": ["Real builds. The start is that of a program which makes a universe and ends, less that of one which does nothing. "
+           "text": ["Real builds. The start is that of a program which makes a universe, or asks for a pair where the build has none, less that "
+                    "of one which does nothing. "
                     "Resident bytes are those of the process after the steps."]}

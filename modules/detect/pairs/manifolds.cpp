@@ -17,7 +17,7 @@ import abut.pairs.two_shapes.runs;
 import abut.pairs.pair_job;
 import abut.scene.state.options;
 import abut.scene.state.places;
-import abut.scene.meetings.measured_routes;
+import abut.pairs.two_shapes.measured_routes;
 import abut.scene.meetings.policies;
 
 namespace abut {

@@ -7,7 +7,7 @@ import abut.math.tolerance;
 import abut.motion.impacts.convex_impact;
 import abut.pairs.taken_apart.convex_part;
 import abut.motion.paths.path;
-import abut.motion.paths.relative_motion;
+import abut.motion.impacts.relative_motion;
 import abut.motion.time_of_impact;
 import abut.pairs.any_shape;
 

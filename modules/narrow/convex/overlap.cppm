@@ -10,7 +10,7 @@ import abut.narrow.cores.difference;
 import abut.narrow.cores.simplex;
 import abut.narrow.fan.box_sat;
 import abut.narrow.fan.discs.disc_depth_of_pair;
-import abut.narrow.fan.discs.disc_pairs;
+import abut.narrow.fan.disc_pairs;
 import abut.narrow.fan.features;
 import abut.narrow.fan.hull_sat;
 import abut.narrow.fan.sat;

@@ -7,7 +7,7 @@ import abut.math;
 import abut.math.tolerance;
 import abut.narrow.overlap.convex_overlap;
 import abut.narrow.overlap.convex_side;
-import abut.narrow.overlap.surface_overlap;
+import abut.narrow.overlap.surfaces.surface_overlap;
 import abut.pairs.composites.children;
 import abut.pairs.registry;
 import abut.pairs.routes;

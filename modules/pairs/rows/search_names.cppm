@@ -5,7 +5,7 @@ import abut.capability;
 import abut.core.standard;
 import abut.narrow.convex;
 import abut.narrow.fan.discs.disc_depth_of_pair;
-import abut.narrow.fan.discs.disc_pairs;
+import abut.narrow.fan.disc_pairs;
 import abut.narrow.fan.hull_sat;
 import abut.pairs.routes;
 

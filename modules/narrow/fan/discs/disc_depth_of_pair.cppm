@@ -7,7 +7,7 @@ import abut.math;
 import abut.narrow.cores.core_separation;
 import abut.narrow.fan.discs.disc_depth;
 import abut.narrow.fan.discs.disc_depth_of_polytope;
-export import abut.narrow.fan.discs.disc_pairs;
+export import abut.narrow.fan.disc_pairs;
 import abut.narrow.fan.facets;
 import abut.narrow.fan.features;
 

@@ -1,0 +1,21 @@
+# SPDX-License-Identifier: Apache-2.0
+# The test documented_size: the row of docs/lean.md on the whole library tells its size, as linked and stripped, within 2 %.
+cmake_minimum_required(VERSION 3.28)
+
+file(STRINGS ${root}/docs/lean.md told REGEX "^\\| all shapes and features as `Release` \\|")
+string(REGEX MATCH "([0-9,]+) kB \\| ([0-9,]+) kB \\|$" sizes "${told}")
+set(told_linked ${CMAKE_MATCH_1})
+set(told_stripped ${CMAKE_MATCH_2})
+execute_process(COMMAND ${strip} -o ${work}/stripped.so ${library} COMMAND_ERROR_IS_FATAL ANY)
+file(REAL_PATH ${library} linked)
+set(stripped ${work}/stripped.so)
+foreach(which IN ITEMS linked stripped)
+  file(SIZE ${${which}} bytes)
+  string(REPLACE "," "" size "0${told_${which}}")
+  math(EXPR least "980 * ${size}")
+  math(EXPR most "1020 * ${size}")
+  message(STATUS "${which}: ${bytes} bytes; docs/lean.md tells ${told_${which}} kB")
+  if(bytes LESS least OR bytes GREATER most)
+    message(FATAL_ERROR "docs/lean.md has another size of the ${which} library")
+  endif()
+endforeach()
