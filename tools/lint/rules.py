@@ -130,6 +130,14 @@ def standard_include(source):
                 yield line, f"{match[0].split()[-1]} included, not imported from abut.core.standard"
 
 
+def bare_tolerance(source):
+    """A tolerance of the narrow phase has a name: in math/tolerance, or where the one search that it ends is."""
+    if source.is_cxx and source.within("modules/narrow"):
+        for number, line in enumerate(source.code.split("\n"), 1):
+            if "constexpr" not in line and (match := re.search(r"(?<![\w.])\d[\d.]*e-\d+|\b\d+ \* epsilon\b", line)):
+                yield number, f"{match[0]} has no name"
+
+
 def borrowed_member(source):
     """A class that stores a view, a pointer or a reference is a [[gsl::Pointer]]: clang warns where one dangles."""
     if source.is_cxx and source.within("modules", "capi"):
@@ -253,6 +261,7 @@ FILE_RULES = [
     silenced_warning,
     library_owner,
     standard_include,
+    bare_tolerance,
     borrowed_member,
     module_path,
     interface_linkage,

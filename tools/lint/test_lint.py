@@ -71,6 +71,10 @@ SNIPPETS = {
         (MODULE, "#include <cmath>", "import abut.core.standard;"),
         ("modules/core/core.cppm", "#include <array>", "// #include <array>"),
     ],
+    "bare_tolerance": [
+        ("modules/narrow/fan/sat.cppm", "if (x > 1e-9) {", "constexpr Real least = 1e-9;\nif (x > least) {  // 1e-9"),
+        ("modules/narrow/fan/sat.cppm", "const Real slack = 16 * epsilon * size;", "const Real slack = rounding_of(size);"),
+    ],
     "include_order": [
         ("tests/unit/a.cpp", "import abut.core;\n#include <vector>", "#include <vector>\nimport abut.core;"),
     ],

@@ -6,6 +6,7 @@ import abut.capability;
 import abut.core.standard;
 import abut.core;
 import abut.math;
+import abut.math.tolerance;
 import abut.narrow.field.field_descent;
 
 export namespace abut {
@@ -162,8 +163,8 @@ template <SampledSolid F, Convex B>
   std::vector<FieldPoint> deepest;
   find_deepest(field, b, ab, limit, deepest);
   const std::size_t first = out.size();
-  constexpr Real same_share = 1e-3;  // of a cell
-  const Real tie = 1e-6 * field.finest() + 64 * epsilon * (b.extent() + largest_magnitude(ab.position));
+  constexpr Real same_share = 1e-3, same_depth = 1e-6;  // of a cell
+  const Real tie = same_depth * field.finest() + noise_of(b.extent() + largest_magnitude(ab.position));
   for (const FieldPoint& at : deepest) {
     const Face face = b.supporting_face(-at.field.gradient);
     Real least_of_face = infinity;

@@ -76,7 +76,8 @@ class [[gsl::Pointer]] CoreInField {
   template <class Condition>
   [[nodiscard]] std::optional<FieldPoint> descend_while(const Vec3& start, Real stride, Real longest,
                                                         Condition&& is_met) const {
-    const Real least_gain = 1e-7 * field_.finest();
+    constexpr Real least_gain_share = 1e-7;  // of a cell
+    const Real least_gain = least_gain_share * field_.finest();
     return downhill(
         at(start), {stride, longest, end_of_steps(), least_gain},
         [&](const Vec3& point) { return std::optional(nearest(point)); }, [&](const Vec3& point) { return at(point); },
@@ -149,10 +150,10 @@ class [[gsl::Pointer]] CoreInField {
   }
 
  private:
-  static constexpr Real surface_share = 1e-6;  // of a cell
+  static constexpr Real surface_share = 1e-6, end_share = 1e-5;  // of a cell
   [[nodiscard]] static Real squared(Real value) { return value * value; }
   // Where a descent ends.
-  [[nodiscard]] Real end_of_steps() const { return 1e-5 * field_.finest(); }
+  [[nodiscard]] Real end_of_steps() const { return end_share * field_.finest(); }
   // Where the gradient vanishes.
   [[nodiscard]] UnitVec3 away(const Vec3& point) const {
     const Real sign = field_.is_inside_out() ? -1 : 1;

@@ -14,7 +14,7 @@ class Choice {
  public:
   static constexpr std::size_t capacity = 64;
   // Points within this share of the extent of a line are on it. Then the length counts, not the area.
-  static constexpr Real flatness = 1e-5;
+  static constexpr Real flatness = 1e-5, least_gain = 1e-12;
 
   Choice(std::span<const Vec2> points, std::uint32_t first) { add(points, first); }
   // A place that occurs twice counts once.
@@ -60,7 +60,7 @@ class Choice {
     const Real flat = flatness * extent * extent;
     for (bool is_growing = true; is_growing && size_ < std::min(most, capacity);) {
       is_growing = (corners_ > 1 && add_best(flat, [&](const Vec2& p) { return gain(p).area; })) ||
-                   (twice_area_ <= flat && add_best(1e-12 * extent, [&](const Vec2& p) { return detour(p); }));
+                   (twice_area_ <= flat && add_best(least_gain * extent, [&](const Vec2& p) { return detour(p); }));
     }
   }
 
@@ -124,7 +124,7 @@ class Choice {
 // The points that span most with a first one. `outside` are those that may be corners of the hull of all.
 [[nodiscard]] inline Choice choose(std::span<const Vec2> points, std::span<const std::uint32_t> outside,
                                    std::uint32_t first, std::size_t most, Real extent) {
-  const Real flat = Choice::flatness * extent * extent, least_gain = 1e-12 * extent * extent;
+  const Real flat = Choice::flatness * extent * extent, least_gain = Choice::least_gain * extent * extent;
   if (most == 4 && outside.size() <= few_points) {
     const auto [best, is_best] = best_about(points, outside, first);
     if (best.twice_area > flat) {

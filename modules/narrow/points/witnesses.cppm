@@ -63,7 +63,8 @@ inline void find_points_of_faces(const Face& face_a, const Face& face_b, const C
                                  CoreSeparation& core) {
   AcrossPair pair{core.point_a, core.point_b};
   // Nearly parallel faces are equally far in many points; one of their common region will do.
-  const Real deepest = core.distance + 1e-12 * size;
+  constexpr Real same_depth = 1e-12;  // of the size
+  const Real deepest = core.distance + same_depth * size;
   Real least = deepest;
   for (const ClipPoint& point : region.span()) {
     const Real distance = dot(point.point_b - point.point_a, core.normal);

@@ -10,7 +10,6 @@ import abut.narrow.cores.second_order_of_pair;
 namespace abut {
 namespace {
 
-constexpr Real share_slack = 1e-9;
 [[nodiscard]] inline bool is_share(Real share) { return share >= -share_slack && share <= 1 + share_slack; }
 [[nodiscard]] inline Real clamped(Real share) { return share < 0 ? 0 : share > 1 ? 1 : share; }
 

@@ -51,8 +51,11 @@ class SidesOfParts {
   std::vector<std::uint32_t> edge_of_part_;  // three for each triangle
 };
 
+// Of cosines between normals that searches find.
+inline constexpr Real normal_slack = 1e-6;
+
 // Whether a normal is that of a face, or its opposite, but for the rounding of searches.
-[[nodiscard]] inline bool is_of_face(Real along) { return std::fabs(along) > 1 - 1e-6; }
+[[nodiscard]] inline bool is_of_face(Real along) { return std::fabs(along) > 1 - normal_slack; }
 
 // The sides of the triangles that a body touches, from what the pair remembers and from the contacts that it would have
 // without a memory. `corners_of` answers for a triangle by its number, if it is there. A deepest contact that goes
@@ -64,7 +67,7 @@ template <class CornersOf>
 // `along`: of the normal, along that of its triangle to the side of the body. At the rim of a surface a contact goes
 // around, on from the one before.
 [[nodiscard]] inline bool goes_around(const ContactPoint& contact, Real along, const SideMemory& before) {
-  return along < -1e-6 && !is_of_face(along) && dot(contact.normal, before.normal) > 0;
+  return along < -normal_slack && !is_of_face(along) && dot(contact.normal, before.normal) > 0;
 }
 // Samples of a height field may have gone.
 [[nodiscard]] inline bool are_finite(const TriangleCorners& corners) {

@@ -8,6 +8,7 @@ import abut.capability;
 import abut.core.standard;
 import abut.core;
 import abut.math;
+import abut.math.tolerance;
 import abut.math.four_vec3;
 import abut.narrow.convex;
 import abut.narrow.ways.continuation;
@@ -54,9 +55,6 @@ template <class Fours>
   });
 }
 
-// Cosine of normals that count as the same one.
-inline constexpr Real same_normal = 1 - 1e-9;
-
 // Whether two contacts are at the same place, on shapes of a size.
 [[nodiscard]] inline bool is_same_place(const ContactPoint& one, const ContactPoint& other, Real size) {
   constexpr Real same_place = 1e-7;
@@ -97,7 +95,7 @@ inline constexpr Real same_normal = 1 - 1e-9;
       planes.push_back({contact.normal, -contact.distance});
     }
   }
-  const Real enough = length * (1 - 1e-9) - 2 * tolerance;
+  const Real enough = length * (1 - share_slack) - 2 * tolerance;
   if (deepest >= enough) {
     return true;
   }
@@ -225,7 +223,7 @@ class [[gsl::Pointer]] ContactsUnderPlanes {
       if (triangle.has_area() && (triangle.is_one_sided() ? along > least_along : std::fabs(along) > least_along)) {
         const Vec3 normal = along > 0 ? triangle.normal() : -triangle.normal();
         const Real depth = along > 0 ? near.behind : near.before;
-        if (depth <= most_ * (1 + 1e-9) + search_.tolerance()) {
+        if (depth <= most_ * (1 + share_slack) + search_.tolerance()) {
           const CoreSeparation core = along_face(triangle, b_, ab_, near.found.core, normal);
           if (is_over(triangle, core.point_a)) {
             add(normal, core, near.at, true);
@@ -334,7 +332,7 @@ class [[gsl::Pointer]] ContactsUnderPlanes {
       const Lanes along = dot(four.normals, normal);
       const Lanes depth = (along > all_lanes(0) ? four.heights : -four.heights) - lowest;
       left &= bits_of((absolute(along) > all_lanes(same_normal)) & (depth >= all_lanes(-reach)) &
-                      (depth <= all_lanes(most_ * (1 + 1e-9) + search_.tolerance()))) &
+                      (depth <= all_lanes(most_ * (1 + share_slack) + search_.tolerance()))) &
               ~(four.one_sided & bits_of(along < all_lanes(0)));
       for (; left != 0; left &= left - 1) {
         places.push_back({i, static_cast<std::uint32_t>(std::countr_zero(left))});
@@ -380,7 +378,7 @@ class [[gsl::Pointer]] ContactsUnderPlanes {
     const unsigned corners = outermost_corners(triangle.corners(), plane.normal, noise);
     const bool is_lender = triangle.index() == plane.number;
     CoreSeparation core = is_lender ? plane.core : separate_along(triangle, plane.normal);
-    if (-core.distance + b_.radius() > most_ * (1 + 1e-9) + search_.tolerance() ||
+    if (-core.distance + b_.radius() > most_ * (1 + share_slack) + search_.tolerance() ||
         core.distance - b_.radius() > std::max(settings_.margin, Real{0})) {
       return;
     }
@@ -443,7 +441,7 @@ class [[gsl::Pointer]] ContactsUnderPlanes {
     std::size_t kept = first;
     for (std::size_t i = first; i < out_.size(); ++i) {
       ContactPoint contact = out_[i];
-      if (-contact.distance > most_ * (1 + 1e-9) + search_.tolerance() ||
+      if (-contact.distance > most_ * (1 + share_slack) + search_.tolerance() ||
           (is_face && is_on_a_cut(surface_, triangle, contact.normal, contact.feature_a, noise)) ||
           is_told(contact, std::span(out_).subspan(first_, kept - first_), b_.extent() + b_.radius())) {
         continue;

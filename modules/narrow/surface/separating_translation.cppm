@@ -124,7 +124,7 @@ class SurfaceSearch : public NearTriangles<B>, public Obstacles {
     const Triangle triangle = triangle_at(touch.at);
     const Vec3 move = translation.length * translation.direction;
     Vec3 last = placed_support(b, place(b, ab_), -touch.normal).point;
-    if (std::fabs(dot(touch.normal, triangle.normal())) < 1 - 1e-12) {
+    if (std::fabs(dot(touch.normal, triangle.normal())) < one_direction) {
       const Pose after{ab_.rotation, ab_.position + move};
       CoreSeparation core = separate_outside(triangle, b, after, settings_);
       find_points(triangle, b, after, core);
@@ -261,9 +261,9 @@ class SurfaceSearch : public NearTriangles<B>, public Obstacles {
       const FourTriangles& t = four.triangles;
       const Lanes ends = maximum(maximum(dot(along, t.a), dot(along, t.b)), dot(along, t.c)) - lowest;
       const Lanes slope = dot(four.normals, along);
-      const Lanes of_plane = slope > all_lanes(1e-9)    ? four.behind / slope
-                             : slope < all_lanes(-1e-9) ? four.before / -slope
-                                                        : far;
+      const Lanes of_plane = slope > all_lanes(least_plane_slope)    ? four.behind / slope
+                             : slope < all_lanes(-least_plane_slope) ? four.before / -slope
+                                                               : far;
       four.bounds = minimum(ends, of_plane);
       for (std::size_t lane = four.count; lane < 4; ++lane) {
         four.bounds[lane] = -infinity;
@@ -277,7 +277,7 @@ class SurfaceSearch : public NearTriangles<B>, public Obstacles {
     }
     if (sides_ != StoppingSides::solid && (fours_[at.four].one_sided >> at.lane & 1u) != 0) {
       const Vec3 normal = find_planes(at.four).normals[at.lane];
-      if (dot(normal, direction) < -1e-9) {
+      if (dot(normal, direction) < -least_plane_slope) {
         exit.backs.push_back({normal, found.length});
       }
     }

@@ -4,6 +4,7 @@ export module abut.narrow.triangle.outermost_corners;
 import abut.capability;
 import abut.core.standard;
 import abut.math;
+import abut.math.tolerance;
 
 export namespace abut {
 
@@ -17,7 +18,7 @@ export namespace abut {
 
 // Whether a direction is the normal of a face or its opposite, within rounding.
 [[nodiscard]] inline bool is_along(const Vec3& direction, const Vec3& normal) {
-  return std::fabs(dot(direction, normal)) > 1 - 1e-12;
+  return std::fabs(dot(direction, normal)) > one_direction;
 }
 
 }  // namespace abut

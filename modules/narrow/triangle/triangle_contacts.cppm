@@ -11,6 +11,7 @@ import abut.capability;
 import abut.core.standard;
 import abut.core;
 import abut.math;
+import abut.math.tolerance;
 import abut.math.four_vec3;
 import abut.narrow.apart.box_cores;
 import abut.narrow.convex;
@@ -25,7 +26,8 @@ export namespace abut {
   const auto& [a, b, c] = triangle.corners();
   const Columns from = Columns::of(lanes_of(a), lanes_of(b), lanes_of(c), lanes_of(c)),
                 to = Columns::of(lanes_of(b), lanes_of(c), lanes_of(a), lanes_of(a)), at = Columns::all(point);
-  const Real size = std::fmax(largest(largest_magnitude(from)), largest_magnitude(point)), reach = 32 * epsilon * size;
+  const Real size = std::fmax(largest(largest_magnitude(from)), largest_magnitude(point)),
+             reach = 2 * rounding_of(size);
   // Beyond a sharp corner points are outside of its edges by rounding only.
   const auto is_beside = [&](Lanes corners, Real coordinate) {
     const Real low = -largest(-corners) - reach, high = largest(corners) + reach;

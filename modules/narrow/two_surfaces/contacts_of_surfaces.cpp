@@ -36,7 +36,7 @@ class [[gsl::Pointer]] Contacts {
   // `translation`: the one found where both meet.
   void append(const std::optional<SeparatingTranslation>& translation) {
     if (translation) {
-      most_ = translation->length * (1 + 1e-9) + surfaces_.tolerance();
+      most_ = translation->length * (1 + share_slack) + surfaces_.tolerance();
       append_touched(*translation);
     }
     for (const NearPair& pair : surfaces_.near()) {
@@ -91,7 +91,8 @@ class [[gsl::Pointer]] Contacts {
 
   // What is jammed between fronts is pushed to the front of each.
   void append_overlapped(const NearPair& pair, const SeparatingTranslation& translation) {
-    const Real least_along = translation.ends_behind ? -1 : 1e-6;
+    constexpr Real along_way = 1e-6;
+    const Real least_along = translation.ends_behind ? -1 : along_way;
     const Vec3& direction = translation.direction;
     const Triangle a = pair.a.part(), b = pair.b.part();
     const Fronts<Triangle> fronts(a, b, here);

@@ -192,12 +192,12 @@ Real CrossingSurfaces::climb(Vec3 place, Real most) const {
 
 // What was inside may reach the surface with a whole face, without crossing it.
 void CrossingSurfaces::visit_faces_met(const SeparatingTranslation& translation, const TakeTouched& take) const {
-  constexpr Real same_normal = 1 - 1e-9;
+  constexpr Real least_along = 1e-6;  // of a normal, along the way
   visit_near(a_, b_, {translation.direction, translation.length}, tie(),
              [&](const PlacedTriangle& a, const PlacedTriangle& b) {
                const Vec3 of_a = a.part().normal(), of_b = b.part().normal();
                const Real along = dot(of_a, translation.direction), cosine = dot(of_a, of_b);
-               if (std::fabs(cosine) > same_normal && std::fabs(along) > 1e-6) {
+               if (std::fabs(cosine) > same_normal && std::fabs(along) > least_along) {
                  const Vec3 normal = along > 0 ? of_a : -of_a;
                  take({a, b, normal, dot(normal, a.corners[0] - b.corners[0]) / std::fabs(along)});
                }

@@ -281,7 +281,9 @@ void CrossingSurfaces::keep_blocking(const PlacedFour& a, const PlacedFour& b, s
 void CrossingSurfaces::set_bounds(const Vec3& direction) {
   const Columns along = Columns::all(direction);
   const auto until = [](Lanes slope, Lanes behind, Lanes before) {
-    return slope > all_lanes(1e-9) ? behind / slope : slope < all_lanes(-1e-9) ? before / -slope : all_lanes(infinity);
+    return slope > all_lanes(least_plane_slope)    ? behind / slope
+           : slope < all_lanes(-least_plane_slope) ? before / -slope
+                                             : all_lanes(infinity);
   };
   for (CrossingFour& four : crossing_.span()) {
     const PlacedFour &a = four.a, &b = four.b;

@@ -6,6 +6,7 @@ export module abut.narrow.two_surfaces.leaving_pairs;
 import abut.capability;
 import abut.core.standard;
 import abut.math;
+import abut.math.tolerance;
 import abut.math.four_vec3;
 import abut.narrow.fan.sat;
 import abut.narrow.ways.leaving_four;
@@ -42,7 +43,7 @@ struct PairStretches {
                             Real number) {
     const Lanes ahead = of_a.high - of_b.low, behind = of_a.low - of_b.high;
     const Lanes speed = dot(axis, direction), slack = wanted.touching * length_bound(axis);
-    const LaneNumbers is_moving = speed * speed > 1e-26 * square;
+    const LaneNumbers is_moving = speed * speed > along_plane_square * square;
     const Lanes inverse = 1 / (is_moving ? speed : all_lanes(1)), one = ahead * inverse, other = behind * inverse;
     const Lanes end = maximum(one, other), begin = minimum(one, other), inside = slack * absolute(inverse);
     const LaneNumbers counts = is_axis & is_moving, is_sooner = counts & (end < found.end);
@@ -81,7 +82,7 @@ struct PairStretches {
   const std::array<Edge, 3> edges_b = edges_of(b);
   Real number = 2;
   for (const Edge& of_a : edges_of(a)) {
-    const Lanes least = 1e-20 * dot(of_a.along, of_a.along);
+    const Lanes least = slim_square * dot(of_a.along, of_a.along);
     for (const Edge& of_b : edges_b) {
       const Columns axis = cross(of_a.along, of_b.along);
       const Lanes square = dot(axis, axis);
@@ -118,7 +119,8 @@ struct PairStretches {
 // direction it is a corner of one of both, or where two edges cross. `length`: of the way until then.
 [[nodiscard]] Vec3 last_point_of(const TriangleCorners& a, const TriangleCorners& b, const Vec3& direction,
                                  Real length) {
-  constexpr Real beside = 1e-7;  // of an edge or a triangle
+  constexpr Real beside = 1e-7;           // of an edge or a triangle
+  constexpr Real passing_square = 1e-24;  // of the sine between the direction and what it passes
   Vec3 best = b[0];
   Real least = infinity;
   const auto offer = [&](const Vec3& point, Real travelled) {
@@ -131,7 +133,7 @@ struct PairStretches {
   const auto passes = [&](const Vec3& point, const TriangleCorners& t) -> std::optional<Real> {
     const Vec3 n = cross(t[1] - t[0], t[2] - t[0]);
     const Real speed = dot(n, direction), whole = std::fabs(speed);
-    if (!(speed * speed > 1e-24 * squared_norm(n))) {
+    if (!(speed * speed > passing_square * squared_norm(n))) {
       return std::nullopt;
     }
     for (std::size_t i = 0; i < 3; ++i) {
@@ -158,7 +160,7 @@ struct PairStretches {
     for (std::size_t j = 0; j < 3; ++j) {
       const Vec3 of_b = b[(j + 1) % 3] - b[j], n = cross(of_a, of_b), from = a[i] - b[j];
       const Real speed = dot(n, direction);
-      if (!(speed * speed > 1e-24 * squared_norm(n))) {
+      if (!(speed * speed > passing_square * squared_norm(n))) {
         continue;
       }
       const Real on_b = dot(cross(of_a, from), direction) / speed, on_a = dot(cross(of_b, from), direction) / speed;

@@ -314,8 +314,9 @@ class Carver {
   void add_rim(const RimSeed& seed, const RimContact& rim, std::size_t start, const QuerySettings& settings,
                Manifold& contacts, std::size_t first) const {
     const Vec3& place = rim.rim.place;
+    constexpr Real same_share = 1e-6;  // of both sizes
     const auto is_same = [&](const ContactPoint& other) {
-      return largest_magnitude(other.point_a - place) <= 1e-6 * (size_ + half_size_of(seed.hole));
+      return largest_magnitude(other.point_a - place) <= same_share * (size_ + half_size_of(seed.hole));
     };
     const bool is_pierced = other_.is_sheet() && rim.found.distance <= noise_at(seed);
     if (!(rim.found.distance <= settings.margin || is_pierced) || is_in_hole_of(seed.solid, place, seed.hole) ||

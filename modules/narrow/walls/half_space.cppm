@@ -8,6 +8,7 @@ import abut.capability;
 import abut.core.standard;
 import abut.core;
 import abut.math;
+import abut.math.tolerance;
 import abut.narrow.points.lane_contact;
 
 export namespace abut {
@@ -82,7 +83,7 @@ template <Convex B, class Append>
     // From the higher end the way down leaves through the side, after radius / sine of the angle to the axis.
     const Vec3& n = plane.local_normal;
     const Real over = plane.height + rise - margin, square = over * over * (n.x * n.x + n.y * n.y);
-    if (half > 0 && !(over > 0 && square > (1 + 16 * epsilon) * b.radius() * b.radius())) {
+    if (half > 0 && !(over > 0 && square > (1 + rounding_of(1)) * b.radius() * b.radius())) {
       const RoundReach found = reach_from_end(half, b.radius(), !is_upper_lower, -n);
       if (!found.is_of_other_end) {
         touch(end(!is_upper_lower), plane.height + rise, found.reach, is_upper_lower ? 0 : 1);
@@ -189,7 +190,7 @@ template <Convex B, class Append>
                                                  Append&& append) {
   const Vec3 down = -plane.local_normal;
   // The rounding of heights over the plane.
-  const Real noise = 64 * epsilon * (b.extent() + std::fabs(plane.height));
+  const Real noise = noise_of(b.extent() + std::fabs(plane.height));
   // A bound without a root tells most shapes that do not touch.
   if constexpr (requires { b.is_short_of(down, noise); }) {
     if (b.is_short_of(down, plane.height - b.radius() - margin - noise)) {

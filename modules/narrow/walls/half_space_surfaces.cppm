@@ -5,6 +5,7 @@ import abut.capability;
 import abut.core.standard;
 import abut.core;
 import abut.math;
+import abut.math.tolerance;
 import abut.narrow.walls.half_space;
 import abut.narrow.parts.nearest_of_parts;
 import abut.narrow.points.lane_contact;
@@ -15,7 +16,7 @@ export namespace abut {
 template <Surface B>
 [[nodiscard]] Real noise_of_heights(const B& b, const PlaneBelow& plane) {
   const Aabb box = b.aabb(Pose::identity());
-  return 16 * epsilon * (largest_magnitude(maximum(absolute(box.low), absolute(box.high))) + std::fabs(plane.height));
+  return rounding_of(largest_magnitude(maximum(absolute(box.low), absolute(box.high))) + std::fabs(plane.height));
 }
 
 // A half-space against the parts that reach lowest: what lies behind the plane counts.

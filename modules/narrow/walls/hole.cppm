@@ -5,6 +5,7 @@ import abut.capability;
 import abut.core.standard;
 import abut.core;
 import abut.math;
+import abut.math.tolerance;
 import abut.narrow.walls.half_space;
 
 export namespace abut {
@@ -48,7 +49,7 @@ void visit_outermost(const RoundWall& wall, const B& b, const Pose& ab, Visitor&
             direction = squared_norm(outward) > 0 ? outward : direction;
             Vec3 next = top_along(direction);
             const Vec3 stride = next - point;
-            if (largest_magnitude(stride) <= 4 * epsilon * largest_magnitude(next)) {
+            if (largest_magnitude(stride) <= touching_distance(largest_magnitude(next))) {
               point = next;
               break;
             }
@@ -179,7 +180,7 @@ template <Convex B>
   }
   if (const auto& wall = walls.round) {
     const std::size_t first = out.size();
-    const Real noise = 64 * epsilon * (b.extent() + largest_magnitude(ab.position) + wall->radius);
+    const Real noise = noise_of(b.extent() + largest_magnitude(ab.position) + wall->radius);
     visit_outermost(*wall, b, ab, [&](const Vec3& point, const Feature& feature) {
       const ContactPoint found = contact_at(*wall, point, b.radius(), feature);
       if (!(found.distance <= settings.margin)) {

@@ -6,6 +6,7 @@ import abut.capability;
 import abut.core.standard;
 import abut.core;
 import abut.math;
+import abut.math.tolerance;
 import abut.narrow.field.field_surfaces;
 import abut.narrow.walls.half_space_surfaces;
 export import abut.narrow.walls.hole;
@@ -28,9 +29,8 @@ class OutwardReach {
   }
   // How much it may be off by rounding.
   [[nodiscard]] Real noise(const Aabb& whole) const {
-    return 16 * epsilon *
-           (largest_magnitude(maximum(absolute(whole.low), absolute(whole.high))) + largest_magnitude(ab_.position) +
-            wall_.radius);
+    return rounding_of(largest_magnitude(maximum(absolute(whole.low), absolute(whole.high))) +
+                       largest_magnitude(ab_.position) + wall_.radius);
   }
 
  private:

@@ -19,6 +19,7 @@ template <class ToFirst, class ToSecond>
                                                      const ToSecond& to_second) {
   constexpr int steps = 48;
   Vec3 at = place;
+  constexpr Real parallel_normals = 1e-12;  // the square of a sine
   for (int step = 0; step < steps; ++step) {
     const std::optional<Distance> first = to_first(at), second = to_second(at);
     if (!first || !second) {
@@ -26,7 +27,7 @@ template <class ToFirst, class ToSecond>
     }
     const Vec3 &n = first->normal, &m = second->normal;
     const Real cosine = dot(n, m), square = 1 - cosine * cosine;
-    if (!(square > 1e-12)) {
+    if (!(square > parallel_normals)) {
       return std::nullopt;
     }
     const Real to_n = -first->distance, to_m = -second->distance;

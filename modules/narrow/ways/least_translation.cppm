@@ -4,6 +4,7 @@ export module abut.narrow.ways.least_translation;
 import abut.core.standard;
 import abut.core;
 import abut.math;
+import abut.math.tolerance;
 
 export namespace abut {
 
@@ -17,7 +18,7 @@ struct HalfSpaceToLeave {
 template <std::size_t Most>
 void add_plane(const HalfSpaceToLeave& plane, SmallVector<HalfSpaceToLeave, Most>& planes) {
   for (HalfSpaceToLeave& known : planes.span()) {
-    if (dot(known.normal, plane.normal) > 1 - 1e-12) {
+    if (dot(known.normal, plane.normal) > one_direction) {
       known.least = std::max(known.least, plane.least);
       return;
     }
@@ -33,10 +34,10 @@ void add_plane(const HalfSpaceToLeave& plane, SmallVector<HalfSpaceToLeave, Most
 // fewer planes first. Nothing where no translation leaves all.
 std::optional<Vec3> least_translation(std::span<const HalfSpaceToLeave> planes) {
   // Of cosines between planes that have no line, and of products of three that have no point in common.
-  constexpr Real parallel = 1e-10, flat = 1e-8;
+  constexpr Real parallel = 1e-10, flat = 1e-8, slack_share = 1e-11;
   std::optional<Vec3> best;
   const auto offer = [&](const Vec3& move) {
-    const Real slack = 1e-11 * norm(move);
+    const Real slack = slack_share * norm(move);
     if ((!best || squared_norm(move) < squared_norm(*best)) &&
         std::ranges::all_of(
             planes, [&](const HalfSpaceToLeave& plane) { return dot(plane.normal, move) >= plane.least - slack; })) {

@@ -6,6 +6,7 @@ import abut.capability;
 import abut.core.standard;
 import abut.core;
 import abut.math;
+import abut.math.tolerance;
 import abut.narrow.convex;
 import abut.narrow.fan.sat;
 import abut.narrow.ways.leaving_portal;
@@ -90,9 +91,8 @@ template <Convex B>
 template <Convex B>
 [[nodiscard]] std::optional<Leaving> leave_through_face(const Triangle& triangle, const B& b, const Pose& ab,
                                                         const Vec3& direction, Real bound, Real tolerance) {
-  constexpr Real least_slope = 1e-9;
   const Real slope = dot(triangle.normal(), direction);
-  if (!(std::fabs(slope) > least_slope)) {
+  if (!(std::fabs(slope) > least_plane_slope)) {
     return std::nullopt;
   }
   const Vec3 normal = slope > 0 ? triangle.normal() : -triangle.normal();

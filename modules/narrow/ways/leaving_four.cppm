@@ -5,6 +5,7 @@ export module abut.narrow.ways.leaving_four;
 import abut.capability;
 import abut.core.standard;
 import abut.math;
+import abut.math.tolerance;
 import abut.math.four_vec3;
 import abut.narrow.fan.triangle_sat;
 
@@ -18,13 +19,13 @@ struct FourFaces {
 
   // Normals of slivers are told by their triangle.
   void set_planes(std::uint64_t present) {
-    constexpr Real sliver_square = 1e-6;
+    constexpr Real sliver_square = 1e-6, least_square = 1e-200, most_square = 1e200;
     const FourTriangles& t = triangles;
     const Columns ab = t.b - t.a, ac = t.c - t.a, n = cross(ab, ac);
     const Lanes square = dot(n, n);
     normals = (1 / __builtin_elementwise_sqrt(square)) * n;
-    const LaneNumbers is_wide = (square > sliver_square * dot(ab, ab) * dot(ac, ac)) & (square > all_lanes(1e-200)) &
-                                (square < all_lanes(1e200));
+    const LaneNumbers is_wide = (square > sliver_square * dot(ab, ab) * dot(ac, ac)) &
+                                (square > all_lanes(least_square)) & (square < all_lanes(most_square));
     for (std::uint64_t left = present & ~bits_of(is_wide); left != 0; left &= left - 1) {
       const auto lane = static_cast<std::size_t>(std::countr_zero(left));
       normals.put(lane, Triangle(t[lane], 0, false).normal());
@@ -42,6 +43,11 @@ struct FourStretches {
 template <class B>
 inline constexpr bool leaves_in_fours = PointCored<B> || SegmentCored<B> || is_box<B>;
 
+// Squares of the sine between a direction and an axis: nearer to parallel no chord has ends.
+inline constexpr Real along_axis_square = 1e-12;
+// Keeps quotients finite where an edge has no length.
+inline constexpr Real no_length = 1e-300;
+
 // The ends of a chord of a cylinder or a ball: the solutions of a s^2 + 2 b s + c = 0.
 struct FourChords {
   Lanes first, last;
@@ -49,7 +55,7 @@ struct FourChords {
 
   [[gnu::always_inline]] inline FourChords(Lanes a, Lanes b, Lanes c) {
     const Lanes under = b * b - a * c, zero = all_lanes(0);
-    exist = (under >= zero) & (a > all_lanes(1e-12));
+    exist = (under >= zero) & (a > all_lanes(along_axis_square));
     const Lanes root = __builtin_elementwise_sqrt(maximum(under, zero)), inverse = 1 / (exist ? a : all_lanes(1));
     first = (-root - b) * inverse;
     last = (root - b) * inverse;
@@ -63,7 +69,8 @@ struct FourPassages {
 
   // `height`: of the middle of the shape, `speed`: at which it grows.
   [[gnu::always_inline]] inline FourPassages(Lanes height, Lanes reach, Lanes speed, LaneNumbers is_plane) {
-    exist = (absolute(speed) > all_lanes(1e-13)) & is_plane;
+    constexpr Real still = 1e-13;  // of a unit normal along a unit direction
+    exist = (absolute(speed) > all_lanes(still)) & is_plane;
     const Lanes inverse = 1 / (exist ? speed : all_lanes(1));
     const Lanes one = (reach - height) * inverse, other = (-reach - height) * inverse;
     first = minimum(one, other);
@@ -79,7 +86,7 @@ struct FourPassages {
 
 // A share of an edge within it, but for rounding.
 [[nodiscard]] [[gnu::always_inline]] inline LaneNumbers is_share(Lanes share) {
-  return (share >= all_lanes(-1e-9)) & (share <= all_lanes(1 + 1e-9));
+  return (share >= all_lanes(-share_slack)) & (share <= all_lanes(1 + share_slack));
 }
 
 // A ball: the face that it leaves between two copies of it, the cylinders around the edges and the balls around the
@@ -89,7 +96,7 @@ template <Convex B>
 [[nodiscard]] FourStretches stretches_of(const FourFaces& four, const B& b, const Pose& ab, const Vec3& direction) {
   const FourTriangles& t = four.triangles;
   const Real radius = b.radius(), square = radius * radius;
-  const Lanes zero = all_lanes(0), slack = all_lanes(-1e-9 * square), tiny = all_lanes(1e-300);
+  const Lanes zero = all_lanes(0), slack = all_lanes(-share_slack * square), tiny = all_lanes(no_length);
   const Columns p = Columns::all(ab.position), d = Columns::all(direction);
   FourStretches found{all_lanes(infinity), all_lanes(-infinity), zero};
   const FourPassages plane(dot(four.normals, p) - four.heights, all_lanes(radius), dot(four.normals, d),
@@ -124,7 +131,7 @@ template <Convex B>
 [[nodiscard]] FourStretches stretches_of(const FourFaces& four, const B& b, const Pose& ab, const Vec3& direction) {
   const FourTriangles& t = four.triangles;
   const Real radius = b.radius(), square = radius * radius, half = b.half().z;
-  const Lanes zero = all_lanes(0), slack = all_lanes(-1e-9 * square), tiny = all_lanes(1e-300);
+  const Lanes zero = all_lanes(0), slack = all_lanes(-share_slack * square), tiny = all_lanes(no_length);
   const Columns middle = Columns::all(ab.position), axis = Columns::all(ab.rotation.z), d = Columns::all(direction);
   const Real da = dot(ab.rotation.z, direction);
   FourStretches found{all_lanes(infinity), all_lanes(-infinity), zero};
@@ -147,7 +154,8 @@ template <Convex B>
     const Lanes across = ee - ea * ea;
     const Columns normal = cross(edge, axis);
     const Lanes passing = dot(normal, d), aside = dot(normal, w);
-    const LaneNumbers spans = (across > 1e-12 * ee) & has_length & (passing * passing > 1e-26 * across);
+    const LaneNumbers spans =
+        (across > along_axis_square * ee) & has_length & (passing * passing > along_plane_square * across);
     const Lanes by_passing = 1 / (spans ? passing : all_lanes(1)), by_across = 1 / (spans ? across : all_lanes(1)),
                 reach = radius * __builtin_elementwise_sqrt(maximum(across, zero));
     const Lanes one = (reach - aside) * by_passing, other = (-reach - aside) * by_passing;
@@ -155,7 +163,7 @@ template <Convex B>
     const auto is_between = [&](Lanes s) {
       const Lanes on_edge = we + s * de, on_axis = wa + s * da;
       return is_share((on_edge - on_axis * ea) * by_across) &
-             (absolute((on_axis * ee - on_edge * ea) * by_across) <= all_lanes(half * (1 + 1e-9)));
+             (absolute((on_axis * ee - on_edge * ea) * by_across) <= all_lanes(half * (1 + share_slack)));
     };
     extend(found, spans & is_between(first), first, spans & is_between(last), last);
     // Without a radius, roots of these are rounding.
@@ -164,8 +172,8 @@ template <Convex B>
     }
     // The tube around the axis passes the corner.
     const FourChords tube(all_lanes(1 - da * da), wd - wa * da, ww - wa * wa - square);
-    extend(found, tube.exist & (absolute(wa + tube.first * da) <= all_lanes(half * (1 + 1e-9))), tube.first,
-           tube.exist & (absolute(wa + tube.last * da) <= all_lanes(half * (1 + 1e-9))), tube.last);
+    extend(found, tube.exist & (absolute(wa + tube.first * da) <= all_lanes(half * (1 + share_slack))), tube.first,
+           tube.exist & (absolute(wa + tube.last * da) <= all_lanes(half * (1 + share_slack))), tube.last);
     // The balls around the ends pass the corner and the edge.
     for (const Real end : {-half, half}) {
       const Lanes we_end = we + end * ea, wd_end = wd + end * da, ww_end = ww + 2 * end * wa + end * end;
@@ -204,7 +212,7 @@ template <Convex B>
   const auto consider = [&](Lanes p, Lanes q1, Lanes r, Lanes reach, Lanes speed, Lanes square, LaneNumbers is_axis,
                             Real number) {
     const Lanes ahead = maximum(maximum(p, q1), r) + reach, behind = minimum(minimum(p, q1), r) - reach;
-    const LaneNumbers is_moving = speed * speed > 1e-26 * square;
+    const LaneNumbers is_moving = speed * speed > along_plane_square * square;
     const Lanes inverse = 1 / (is_moving ? speed : all_lanes(1)), one = ahead * inverse, other = behind * inverse;
     const Lanes end = maximum(one, other), begin = minimum(one, other);
     const LaneNumbers counts = is_axis & is_moving, is_sooner = counts & (end < found.end);
@@ -224,7 +232,7 @@ template <Convex B>
   consider(q[0].z, q[1].z, q[2].z, all_lanes(half.z), all_lanes(d.z), all_lanes(1), always, 3);
   for (std::size_t i = 0; i < 3; ++i) {
     const Columns e = q[(i + 1) % 3] - q[i];
-    const Lanes least = 1e-20 * dot(e, e);
+    const Lanes least = slim_square * dot(e, e);
     const auto across = [&](Lanes u, Lanes v, const auto& of_u, const auto& of_v, Real half_u, Real half_v, Real d_u,
                             Real d_v, Real number) {
       const Lanes square = u * u + v * v;

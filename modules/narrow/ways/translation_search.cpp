@@ -3,6 +3,7 @@ module abut.narrow.ways.translation_search;
 import abut.core.standard;
 import abut.core;
 import abut.math;
+import abut.math.tolerance;
 import abut.narrow.ways.least_translation;
 
 namespace abut {
@@ -25,7 +26,7 @@ bool SurfaceExit::note(const SurfaceTouch& found, Real tie) {
   }
   bool is_known = false;
   for (SurfaceTouch& touch : touches.span()) {
-    if (dot(touch.normal, found.normal) > 1 - 1e-9) {
+    if (dot(touch.normal, found.normal) > same_normal) {
       // Of equal ones the greater normal counts, so that their order has no say.
       const auto key = [](const SurfaceTouch& t) { return std::tuple(t.length, t.normal.x, t.normal.y, t.normal.z); };
       touch = key(found) > key(touch) ? found : touch;
@@ -58,6 +59,10 @@ void SurfaceExit::settle(Real tie, Real last) {
 
 namespace {
 
+constexpr Real end_share = 1e-12;  // of a length: where a search no longer gains
+// Cosines between directions: no step, and one that was searched before.
+constexpr Real same_step = 1 - 1e-14, known_direction = 1 - 1e-10;
+
 class [[gsl::Pointer]] Search {
  public:
   Search(Obstacles& obstacles, const TranslationSearch& search) : obstacles_(obstacles), search_(search) {
@@ -77,7 +82,7 @@ class [[gsl::Pointer]] Search {
     for (int i = 0; i < search_.most_polishes && best_.length < infinity && !is_settled(); ++i) {
       const Real before = best_.length;
       improve(best_.direction, 1.5);
-      if (!(best_.length < before * (1 - 1e-12))) {
+      if (!(best_.length < before * (1 - end_share))) {
         break;
       }
     }
@@ -106,7 +111,7 @@ class [[gsl::Pointer]] Search {
       best_.least = std::max(best_.least, obstacles_.least_by(best_));
     }
   }
-  [[nodiscard]] bool is_settled() const { return best_.length <= best_.least * (1 + 1e-12) + search_.tolerance; }
+  [[nodiscard]] bool is_settled() const { return best_.length <= best_.least * (1 + end_share) + search_.tolerance; }
 
   // Along a direction, then along the shortest translation that leaves all planes touched so far. Goes no further along
   // one than the best so far times `most`.
@@ -144,7 +149,7 @@ class [[gsl::Pointer]] Search {
         return;
       }
       const auto next = UnitVec3::make(*move);
-      if (!next || dot(*next, direction) > 1 - 1e-14) {
+      if (!next || dot(*next, direction) > same_step) {
         return;
       }
       direction = *next;
@@ -153,7 +158,7 @@ class [[gsl::Pointer]] Search {
 
   static void add_start(const Vec3& direction, Real estimate, Starts& starts) {
     for (TranslationStart& known : starts.span()) {
-      if (dot(known.direction, direction) > 1 - 1e-10) {
+      if (dot(known.direction, direction) > known_direction) {
         known.estimate = std::max(known.estimate, estimate);
         return;
       }
@@ -238,7 +243,7 @@ class [[gsl::Pointer]] Search {
 
   // Beside the best direction so far, nearer and nearer to it, until the planes that are touched hold it.
   void try_around_best() {
-    constexpr Real first = 0.2, near = 0.02, last = 1e-8;
+    constexpr Real first = 0.2, near = 0.02, last = 1e-8, least_gain = 1e-6;
     for (Real aside = first; aside > (is_held() ? near : last) && best_.length < infinity && !is_settled();) {
       const Real before = best_.length;
       const Vec3 direction = best_.direction;
@@ -247,7 +252,7 @@ class [[gsl::Pointer]] Search {
           improve(UnitVec3::make(direction + step * axis).value_or(UnitVec3::from_unit_unchecked(direction)), 1.5);
         }
       }
-      aside = best_.length < before * (1 - 1e-6) ? aside : 0.5 * aside;
+      aside = best_.length < before * (1 - least_gain) ? aside : 0.5 * aside;
     }
   }
   // Whether no shorter translation leaves the planes that are touched after the best one.
@@ -257,7 +262,7 @@ class [[gsl::Pointer]] Search {
       planes.push_back({touch.normal, dot(touch.normal, best_.direction) * touch.length});
     }
     const auto move = least_translation(planes.span());
-    return move && norm(*move) >= best_.length * (1 - 1e-9);
+    return move && norm(*move) >= best_.length * (1 - share_slack);
   }
 
   // The planes of what is overlapped, each with how far it is left. False where there are many.
