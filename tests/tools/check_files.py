@@ -218,6 +218,22 @@ class Pictures(program.Case):
         self.assertEqual(differences(apart, boxes(2.0002)), 0)
         self.assertGreaterEqual(differences(apart, boxes(1.9999)), 3)
 
+    def test_element_contacts_are_dots(self):
+        # The same sheet above the table, with and without a policy for its pair: dots are all that differs.
+        document = json.loads((program.SCENES / "table.json").read_text())
+        cloth = document["parts"][0]["geometries"][0]
+        cloth["shape"]["file"] = str(program.SCENES / "cloth2.ply")
+        del cloth["sequence"]
+
+        def above_the_legend():
+            rows = self.picture(document, "--size", "160x120", "--from", "0,0,9", "--to", "0,0,0", "--up", "0,1,0")
+            return [pixel for row in rows[:110] for pixel in row]
+        with_dots = above_the_legend()
+        document["policies"] = []
+        without = above_the_legend()
+        changed = sum(sum(abs(a - b) for a, b in zip(*pixels)) > 60 for pixels in zip(with_dots, without))
+        self.assertGreater(changed, 20)
+
     def test_the_same_scene_gives_the_same_bytes(self):
         scene = program.SCENES / "stack.json"
         files = []

@@ -38,7 +38,7 @@ class Output(program.Case):
     def test_csv_and_json_hold_the_same(self):
         for scene in sorted(program.SCENES.glob("*.json")):
             with self.subTest(scene=scene.name):
-                for what in ("contacts", "events"):
+                for what in ("contacts", "events") if scene.name != "table.json" else ("contacts", "elements", "events"):
                     table, records = self.folder / f"{what}.csv", self.folder / f"{what}.json"
                     self.succeed("run", scene, "--quiet", f"--{what}", table)
                     self.succeed("run", scene, "--quiet", f"--{what}", records)
@@ -60,6 +60,31 @@ class Output(program.Case):
         self.assertEqual(found, expected)
         summary = json.loads(self.succeed("run", scene, "--steps", 2, "--json").stdout)
         self.assertEqual(summary["hash"], direct[-1])
+
+    def test_elements_are_the_sheet_above_the_table(self):
+        # In the third step the sheet is at a height of 0.8 to 0.89, above a face at 0.7.
+        out = self.folder / "elements.json"
+        self.succeed("run", program.SCENES / "table.json", "--quiet", "--elements", out)
+        found = json.loads(out.read_text())
+        self.assertEqual({row["step"] for row in found}, {3})
+        lines = (program.SCENES / "cloth2.ply").read_text().split("end_header\n")[1].splitlines()
+        sheet = [tuple(map(float, line.split())) for line in lines[:16]]
+        # The vertices of the sheet that are above the table, each once: above a triangle, or the diagonal between two.
+        above = {i for i, place in enumerate(sheet) if abs(place[0]) <= 1.1 and abs(place[1]) <= 1.1}
+        vertices = [row["vertex_0"] for row in found if row["kind"].startswith("vertex") and row["of_a"] == 1]
+        self.assertEqual(sorted(vertices), sorted(above))
+        self.assertEqual(len(above), 4)
+        for row in found:
+            self.assertEqual((row["part_a"], row["part_b"]), ("cloth", "table"))
+            weights = [row[f"weight_{i}"] for i in range(4)]
+            self.assertAlmostEqual(sum(weights[:row["of_a"]]), -1, delta=1e-12)
+            self.assertAlmostEqual(sum(weights[row["of_a"]:]), 1, delta=1e-12)
+            self.assertAlmostEqual(row["gap"], row["distance"] - 0.1, delta=1e-12)
+            self.assertEqual((row["toi"], row["age"]), (0, 0))
+            if row["of_a"] == 1:
+                self.assertAlmostEqual(row["distance"], sheet[row["vertex_0"]][2] - 0.7, delta=1e-12)
+                self.assertAlmostEqual(row["normal"][2], -1, delta=1e-12)
+        self.assertEqual(len({row["id"] for row in found}), len(found))
 
     def test_runs_and_threads_give_the_same_bytes(self):
         scene = program.SCENES / "scatter.json"
@@ -227,7 +252,7 @@ class Output(program.Case):
 
 class Failing(program.Case):
     def test_a_folder_that_is_missing_is_named(self):
-        for option in ("--contacts", "--events"):
+        for option in ("--contacts", "--elements", "--events"):
             result = run("run", program.SCENES / "stack.json", option, self.folder / "none" / "out.csv")
             self.assertEqual(result.returncode, 3)
             self.assertIn(str(self.folder / "none" / "out.csv"), result.stderr)

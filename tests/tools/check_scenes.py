@@ -147,6 +147,13 @@ class Scenes(program.Case):
         self.assertIn("islands: 1 of 1 part", explained)
         self.assertIn("mesh - itself: 1 candidate, 1 examined", explained)
 
+    def test_scene_table(self):
+        # The ball overlaps the side of the table by 0.01. The sheet touches by elements only.
+        self.assertEqual(pairs(self.contacts(program.SCENES / "table.json")), {("table", "ball"): 3})
+        events = self.events(program.SCENES / "table.json")
+        found = [(e["step"], e["event"], e["contacts"]) for e in events if (e["part_a"], e["part_b"]) == ("cloth", "table")]
+        self.assertEqual(found, [(3, "begin", 0)])
+
     def test_scene_scatter(self):
         # Where the balls are, by the same generator written again; those nearer than two radii touch.
         numbers = splitmix(1)

@@ -77,6 +77,8 @@ void set(Arguments& arguments, const std::string& option, const std::string& val
     arguments.threads = number_from<std::uint32_t>(option, value, 0, 1024, "a whole number from 0 to 1024");
   } else if (option == "--contacts") {
     arguments.contacts = value;
+  } else if (option == "--elements") {
+    arguments.elements = value;
   } else if (option == "--events") {
     arguments.events = value;
   } else if (option == "--error-bound") {
@@ -191,11 +193,17 @@ void check_operands(const CommandRow& row, const std::vector<std::string>& opera
   }
 }
 
+void check_different(const char* option, const std::string& file, const char* other, const std::string& other_file) {
+  if (!file.empty() && is_same_file(file, other_file)) {
+    throw BadInput(std::string(option) + " and " + other + " are both '" + other_file + "'; expected different files");
+  }
+}
+
 void check_whole(const CommandRow& row, const Arguments& arguments) {
   check_operands(row, arguments.operands);
-  if (!arguments.contacts.empty() && is_same_file(arguments.contacts, arguments.events)) {
-    throw BadInput("--contacts and --events are both '" + arguments.events + "'; expected different files");
-  }
+  check_different("--contacts", arguments.contacts, "--events", arguments.events);
+  check_different("--contacts", arguments.contacts, "--elements", arguments.elements);
+  check_different("--elements", arguments.elements, "--events", arguments.events);
 }
 
 }  // namespace

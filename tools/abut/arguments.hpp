@@ -21,6 +21,7 @@ struct Arguments {
   std::optional<double> dt;
   std::optional<std::uint32_t> threads;
   std::string contacts;        // empty: none
+  std::string elements;        // empty: none
   std::string events;          // empty: none
   std::uint32_t width = 1280;  // of a picture
   std::uint32_t height = 720;

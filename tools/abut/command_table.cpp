@@ -13,7 +13,7 @@ constexpr std::string_view stepping = "--steps --dt --threads --json";
 
 constexpr std::array<CommandRow, 15> rows{
     {{Command::run, "run", "SCENE", "steps a scene, writes contacts and events, prints counts and times",
-      "--steps --dt --threads --contacts --events --quiet --json"},
+      "--steps --dt --threads --contacts --elements --events --quiet --json"},
      {Command::explain, "explain", "SCENE", "steps a scene, prints what the last step did and why", stepping},
      {Command::explain_pair, "explain pair", "SCENE A B",
       "prints every way to a distance, with times, and what a budget takes",
@@ -35,12 +35,14 @@ constexpr std::array<CommandRow, 15> rows{
      {Command::help, "--help", "", "prints this text; after a command, what that command takes", ""},
      {Command::version, "--version", "", "prints the version", ""}}};
 
-constexpr std::array<OptionRow, 18> options{
+constexpr std::array<OptionRow, 19> options{
     {{"--steps", "N", "steps to run; without it those of the scene for run, 1 for all others"},
      {"--dt", "S", "time from step to step; without it that of the scene"},
      {"--threads", "N", "threads of a step, 0 for all; results are the same bits for any number"},
      {"--contacts", "FILE",
       "writes the contacts of all steps; JSON if the name ends in .json, else CSV; - is the standard output"},
+     {"--elements", "FILE",
+      "writes vertices, edges and faces that are near, of pairs with the detail elements, the same way"},
      {"--events", "FILE", "writes the events of all steps in the same way"},
      {"--size", "WxH", "width and height of a picture; without it 1280x720"},
      {"--from", "X,Y,Z", "where the camera of a picture stands; without it so that all fits in"},

@@ -49,6 +49,7 @@ void run(const Arguments& arguments) {
   World world = world_for(arguments);
   const Interruption interruption;
   auto contacts = writer_for<ContactWriter>(arguments.contacts, arguments.json);
+  auto elements = writer_for<ElementWriter>(arguments.elements, arguments.json);
   auto events = writer_for<EventWriter>(arguments.events, arguments.json);
   Summary summary;
   std::optional<Progress> progress;
@@ -62,6 +63,9 @@ void run(const Arguments& arguments) {
     summary.add(world, elapsed.count());
     if (contacts) {
       contacts->add(world, step);
+    }
+    if (elements) {
+      elements->add(world, step);
     }
     if (events) {
       events->add(world, step);
@@ -80,6 +84,9 @@ void run(const Arguments& arguments) {
   if (contacts) {
     contacts->finish();
   }
+  if (elements) {
+    elements->finish();
+  }
   if (events) {
     events->finish();
   }
@@ -87,7 +94,7 @@ void run(const Arguments& arguments) {
     return;
   }
   const std::string table = arguments.json ? summary.json(world) : summary.table(world);
-  if (arguments.contacts == "-" || arguments.events == "-") {
+  if (arguments.contacts == "-" || arguments.elements == "-" || arguments.events == "-") {
     std::fputs(table.c_str(), stderr);
   } else {
     print(table);

@@ -12,6 +12,12 @@ constexpr std::array<Column, 20> contact_columns{
      {"child_a"},  {"child_b"},   {"point_a", true},   {"point_b", true}, {"normal", true},
      {"distance"}, {"age"},       {"sensor"},          {"material_a"},    {"material_b"}}};
 
+constexpr std::array<Column, 23> element_columns{
+    {{"step"},         {"part_a"},    {"geometry_a"}, {"part_b"},   {"geometry_b"}, {"id"},
+     {"kind"},         {"element_a"}, {"element_b"},  {"of_a"},     {"vertex_0"},   {"vertex_1"},
+     {"vertex_2"},     {"vertex_3"},  {"weight_0"},   {"weight_1"}, {"weight_2"},   {"weight_3"},
+     {"normal", true}, {"distance"},  {"gap"},        {"toi"},      {"age"}}};
+
 constexpr std::array<Column, 11> event_columns{{{"step"},
                                                 {"event"},
                                                 {"of"},
@@ -30,6 +36,7 @@ std::string_view name_at(const std::array<std::string_view, count>& names, std::
 }
 
 constexpr std::array<std::string_view, 4> features{"whole", "vertex", "edge", "face"};
+constexpr std::array<std::string_view, 4> stencils{"vertex_face", "edge_edge", "vertex_edge", "vertex_vertex"};
 constexpr std::array<std::string_view, 3> events{"begin", "persist", "end"};
 
 }  // namespace
@@ -49,6 +56,27 @@ void ContactWriter::add(const World& world, std::uint64_t step) {
     table_.vector(contact.point_a).vector(contact.point_b).vector(contact.normal).real(contact.distance);
     table_.whole(contact.age).flag((contact.flags & ABUT_CONTACT_SENSOR) != 0);
     table_.text(materials.name_of(contact.material_a)).text(materials.name_of(contact.material_b));
+    table_.end_row();
+  }
+}
+
+ElementWriter::ElementWriter(const std::string& path, Format format) : table_(path, format, element_columns) {}
+
+void ElementWriter::add(const World& world, std::uint64_t step) {
+  for (const abut_element_contact& contact : element_contacts_of(world.universe())) {
+    const abut_stencil& its = contact.stencil;
+    table_.whole(step);
+    table_.text(world.part_name(contact.geometry_a)).text(world.geometry_name(contact.geometry_a));
+    table_.text(world.part_name(contact.geometry_b)).text(world.geometry_name(contact.geometry_b));
+    table_.whole(contact.id).text(name_at(stencils, its.kind));
+    table_.whole(its.element_a).whole(its.element_b).whole(its.of_a);
+    for (const std::uint32_t vertex : its.vertices) {
+      table_.whole(vertex);
+    }
+    for (const double weight : its.weights) {
+      table_.real(weight);
+    }
+    table_.vector(its.normal).real(its.distance).real(contact.gap).real(its.toi).whole(contact.age);
     table_.end_row();
   }
 }

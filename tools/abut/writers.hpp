@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Contacts and events of steps as rows.
+// Contacts, element contacts and events of steps as rows.
 #pragma once
 
 #include <cstdint>
@@ -14,6 +14,18 @@ class ContactWriter {
  public:
   ContactWriter(const std::string& path, Format format);
   /// Adds the contacts of the last step of a world.
+  void add(const World& world, std::uint64_t step);
+  void finish() { table_.finish(); }
+
+ private:
+  Table table_;
+};
+
+/// Pairs of vertices, edges and faces that are near or touch, with the vertices and weights of their stencils.
+class ElementWriter {
+ public:
+  ElementWriter(const std::string& path, Format format);
+  /// Adds the element contacts of the last step of a world.
   void add(const World& world, std::uint64_t step);
   void finish() { table_.finish(); }
 

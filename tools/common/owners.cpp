@@ -33,6 +33,13 @@ std::vector<abut_contact> contacts_of(const abut_universe* universe) {
   return copy_of(borrowed, count);
 }
 
+std::vector<abut_element_contact> element_contacts_of(const abut_universe* universe) {
+  const abut_element_contact* borrowed = nullptr;
+  std::size_t count = 0;
+  check(abut_universe_element_contacts(universe, &borrowed, &count), "cannot read the element contacts");
+  return copy_of(borrowed, count);
+}
+
 std::vector<abut_event> events_of(const abut_universe* universe) {
   const abut_event* borrowed = nullptr;
   std::size_t count = 0;

@@ -37,6 +37,9 @@ using UniverseOwner = std::unique_ptr<abut_universe, DestroyUniverse>;
 /// A copy of the contacts of the last step.
 [[nodiscard]] std::vector<abut_contact> contacts_of(const abut_universe* universe);
 
+/// A copy of the element contacts of the last step: of pairs by the detail of elements.
+[[nodiscard]] std::vector<abut_element_contact> element_contacts_of(const abut_universe* universe);
+
 /// A copy of the events of the last step.
 [[nodiscard]] std::vector<abut_event> events_of(const abut_universe* universe);
 
