@@ -183,6 +183,9 @@ constexpr std::array every{Entrant{"abut", nullptr, {}},
                            Entrant{"bullet", make_bullet, {}},
                            Entrant{"fcl", make_fcl, {}},
                            Entrant{"ode", make_ode, {}},
+                           Entrant{"box3d", make_box3d, {}},
+                           Entrant{"jolt", make_jolt, {}},
+                           Entrant{"coal", make_coal, {}},
                            Entrant{"libccd_gjk", make_libccd_gjk, {}},
                            Entrant{"libccd_mpr", make_libccd_mpr, {}}};
 

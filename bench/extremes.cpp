@@ -41,8 +41,9 @@ constexpr std::array kinds{TwoKinds{Kind::box, Kind::box},        TwoKinds{Kind:
                            TwoKinds{Kind::hull32, Kind::hull32},  TwoKinds{Kind::cylinder, Kind::box},
                            TwoKinds{Kind::capsule, Kind::hull32}, TwoKinds{Kind::capsule, Kind::capsule}};
 constexpr std::array bodies{Kind::sphere, Kind::box, Kind::capsule, Kind::hull32};
-constexpr std::array<std::string_view, 6> asked{"abut", "abut gjk_epa", "bullet", "fcl", "libccd_gjk", "libccd_mpr"};
-constexpr std::array<std::string_view, 4> asked_on_floors{"abut", "bullet", "fcl", "ode"};
+constexpr std::array<std::string_view, 9> asked{"abut",       "abut gjk_epa", "bullet", "fcl", "libccd_gjk",
+                                                "libccd_mpr", "box3d",        "jolt",   "coal"};
+constexpr std::array<std::string_view, 7> asked_on_floors{"abut", "bullet", "fcl", "ode", "box3d", "jolt", "coal"};
 
 class Maps {
  public:

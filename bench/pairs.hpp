@@ -57,6 +57,10 @@ struct Maker {
 [[gnu::visibility("default")]] std::unique_ptr<Contender> make_libccd_mpr(Query query, const Cell& cell);
 // Null for everything where the benchmark was built without ODE.
 [[gnu::visibility("default")]] std::unique_ptr<Contender> make_ode(Query query, const Cell& cell);
+// Null for everything where the benchmark was built without their sources (ABUT_PEERS).
+[[gnu::visibility("default")]] std::unique_ptr<Contender> make_box3d(Query query, const Cell& cell);
+[[gnu::visibility("default")]] std::unique_ptr<Contender> make_jolt(Query query, const Cell& cell);
+[[gnu::visibility("default")]] std::unique_ptr<Contender> make_coal(Query query, const Cell& cell);
 std::unique_ptr<Contender> make_abut(Query query, const Cell& cell);
 std::unique_ptr<Contender> make_abut_c(Query query, const Cell& cell);
 // With a memory for each pair, of which b sways by a thousandth of its size from call to call.

@@ -25,9 +25,14 @@ def document():
     extremes[1]["failures"] = FAILURES | {"ended": 4}
     for name in ("median", "p99", "worst"):
         del extremes[1][name]
+    deforming = [judged(question=question, condition="ordinary", pair="deforming_two", contender=name, nanoseconds=1e6 * (i + 1), worst=0.0)
+                 for question in ("candidates", "overlap") for i, name in enumerate(("abut", "all pairs"))]
+    for row in deforming:
+        del row["worst_pair"]
     return {
         "version": 1, "machine": {"processor": "one of <many> & more", "run": "quick"},
         "accuracy": {"shapes": shapes, "pairs": pairs, "rows": accuracy},
+        "deforming": {"steps": 3, "rows": deforming},
         "extremes": {"shapes": shapes, "pairs": pairs, "rows": extremes},
         "response": {"rows": [{"trial": "rolling", "error_is": "squared error, m^2", "contender": contender, "effort": effort,
                                "milliseconds": 0.1 + i, "error": 10.0 ** -i, "course": [[0.1, 1e-3], [0.2, 1e-2]]}

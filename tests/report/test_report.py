@@ -85,7 +85,7 @@ class Page(unittest.TestCase):
         self.assertNotIn("<script", self.html)
 
     def test_every_part_has_a_section(self):
-        for name in ("work-distance", "promises", "map-size-ratio-and-aspect", "moving", "stiff-spring", "steady", "universe", "builds", "pairs"):
+        for name in ("work-distance", "work-candidates", "work-overlap", "promises", "map-size-ratio-and-aspect", "moving", "stiff-spring", "steady", "universe", "builds", "pairs"):
             self.assertIn(name, self.its.ids)
 
     def test_text_is_escaped_everywhere(self):
@@ -112,6 +112,13 @@ class Page(unittest.TestCase):
         for name in ("abut", "abut 1e-2", "bullet", "fcl"):
             self.assertIn(f"</svg>{name}</li>", self.html)
             self.assertIn(f"<td>{name}</td>", self.html)
+
+    def test_meshes_that_deform_have_panels_of_their_own(self):
+        for title in ("deforming, two sheets", "all pairs"):
+            self.assertIn(title, self.html)
+        only = sample.document()
+        del only["accuracy"]
+        self.assertIn('id="work-candidates"', page.render(document.check(only)))
 
     def test_failures_are_named(self):
         self.assertIn("<td>2 N</td>", self.html)
@@ -252,6 +259,43 @@ class Published(unittest.TestCase):
 
     def test_the_committed_report_is_drawn(self):
         self.assertEqual(parsed(page.render(self.report)).open, [])
+
+
+class Peers(unittest.TestCase):
+    """What CMake says of the folder with the sources of further libraries."""
+
+    def read(self, folder):
+        result = subprocess.run(["cmake", "-D", f"ABUT_PEERS={folder}", "-P", ROOT / "bench/peers/sources.cmake"], capture_output=True,
+                                text=True, check=False)
+        return result.returncode, " ".join((result.stdout + result.stderr).split())
+
+    @staticmethod
+    def box3d(folder):
+        for name, text in (("CMakeLists.txt", "project(box3d\n\tVERSION 1.2.3\n)"), ("src/CMakeLists.txt", ""), ("include/box3d/collision.h", "")):
+            path = Path(folder, "box3d", name)
+            path.parent.mkdir(parents=True, exist_ok=True)
+            path.write_text(text, encoding="utf-8")
+
+    def test_libraries_that_are_there_are_told_with_their_versions(self):
+        with tempfile.TemporaryDirectory() as folder:
+            self.box3d(folder)
+            status, text = self.read(folder)
+        self.assertEqual(status, 0, text)
+        self.assertIn("Peers from sources: box3d 1.2.3", text)
+        self.assertIn("ABUT_PEERS has no coal", text)
+
+    def test_what_is_missing_is_named(self):
+        with tempfile.TemporaryDirectory() as folder:
+            for where, words in ((Path(folder, "none"), ("which is no folder",)), (folder, ("which holds none of the folders", "JoltPhysics"))):
+                status, text = self.read(where)
+                self.assertEqual(status, 1)
+                for word in (f"ABUT_PEERS is '{where}'", *words):
+                    self.assertIn(word, text)
+            self.box3d(folder)
+            Path(folder, "box3d/src/CMakeLists.txt").unlink()
+            status, text = self.read(folder)
+            self.assertEqual(status, 1)
+            self.assertIn("its box3d has no src/CMakeLists.txt", text)
 
 
 class Condensed(unittest.TestCase):

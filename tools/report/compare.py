@@ -10,12 +10,13 @@ SLOWER = 1.5  # times of single rows on a shared machine scatter by less
 LESS_EXACT = 4.0
 LEAST_ERROR = 1e-14  # below it errors are rounding
 
-_KEYS = {"accuracy": ("question", "condition", "pair", "contender"), "extremes": ("map", "question", "x", "y", "contender"),
+_KEYS = {"accuracy": ("question", "condition", "pair", "contender"), "deforming": ("question", "pair", "contender"),
+         "extremes": ("map", "question", "x", "y", "contender"),
          "response": ("trial", "contender", "effort"), "steadiness": ("ground", "body", "motion", "jitter"), "universe": ("scene", "contender"),
          "builds": ("name",)}
-_TIMES = {"accuracy": "nanoseconds", "response": "milliseconds", "steadiness": "microseconds", "universe": "milliseconds",
+_TIMES = {"accuracy": "nanoseconds", "deforming": "nanoseconds", "response": "milliseconds", "steadiness": "microseconds", "universe": "milliseconds",
           "builds": "step_microseconds"}
-_ERRORS = {"accuracy": ("worst",), "extremes": ("worst",), "response": ("error",),
+_ERRORS = {"accuracy": ("worst",), "deforming": ("worst",), "extremes": ("worst",), "response": ("error",),
            "universe": (), "steadiness": ("lost", "flicker", "churn", "lean", "drift"), "builds": ("bytes", "resident_bytes")}
 
 

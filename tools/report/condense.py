@@ -93,7 +93,7 @@ def condensed(document):
         result["extremes_by_map"] = _extremes(document["extremes"])
     if "steadiness" in document:
         result["steadiness_by_ground"] = _steadiness(document["steadiness"])
-    for name in ("universe", "builds"):
+    for name in ("deforming", "universe", "builds"):
         if name in document:
             result[name] = _short(copy.deepcopy(document[name]))
     result["questions"] = _short(questions.rows(document))

@@ -13,6 +13,7 @@ _WORDS = {_NUMBER: "a number", _TEXT: "a text", _LIST: "a list", _OBJECT: "an ob
 _ACCURACY = {"question": _TEXT, "contender": _TEXT, "nanoseconds": _NUMBER, "cases": _NUMBER, "failures": _OBJECT}
 ROWS = {
     "accuracy": _ACCURACY | {"condition": _TEXT, "pair": _TEXT},
+    "deforming": _ACCURACY | {"condition": _TEXT, "pair": _TEXT},
     "extremes": _ACCURACY | {"map": _TEXT, "x": _NUMBER},
     "response": {"trial": _TEXT, "error_is": _TEXT, "contender": _TEXT, "effort": _TEXT, "milliseconds": _NUMBER, "course": _LIST},
     "steadiness": {"ground": _TEXT, "body": _TEXT, "motion": _TEXT, "jitter": _TEXT, "lost": _NUMBER, "flicker": _NUMBER,

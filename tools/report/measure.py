@@ -18,6 +18,7 @@ ROOT = Path(__file__).resolve().parents[2]
 # part: (program, arguments of a full run, of a quick one)
 PROGRAMS = {
     "accuracy": ("accuracy", ["--cases", "8", "--repetitions", "3"], ["--cases", "2", "--repetitions", "1", "--without", "hull200"]),
+    "deforming": ("deforming", ["--steps", "12", "--repetitions", "5"], ["--steps", "3", "--repetitions", "1"]),
     "extremes": ("extremes", ["--cases", "3"], ["--cases", "2", "--every", "3"]),
     "response": ("response", ["--seconds", "10"], ["--seconds", "1"]),
     "response_maps": ("response_maps", ["--seconds", "4"], ["--every", "2", "--seconds", "1"]),
@@ -55,14 +56,21 @@ def _flags(build):
     return " ".join(dict.fromkeys(word for word in words if word.startswith(kept))) or "unknown"
 
 
-def machine(build, quick):
+def _peers(build):
+    """The versions of packages, and of libraries that were built from sources (ABUT_PEERS)."""
     packages = ("libbullet-dev", "libfcl-dev", "libode-dev", "libccd-dev")
+    installed = [f"{name[3:-4]} {_first_line('dpkg-query', '--show', '--showformat=${Version}', name)}" for name in packages]
+    built = build / "bench" / "peers.txt"
+    return ", ".join([*installed, built.read_text(encoding="utf-8").strip()] if built.exists() else installed)
+
+
+def machine(build, quick):
     return {"date": time.strftime("%Y-%m-%d"), "processor": _processor(), "processors": os.cpu_count(),
             "system": f"{platform.system()} {platform.release()}",
             "compiler": _first_line(_from_cache(build, "CMAKE_CXX_COMPILER") or "clang++-19", "--version"),
             "build": _from_cache(build, "CMAKE_BUILD_TYPE") or "unknown", "flags": _flags(build),
             "abut": _first_line("git", "-C", str(ROOT), "describe", "--always", "--dirty"),
-            "peers": ", ".join(f"{name[3:-4]} {_first_line('dpkg-query', '--show', '--showformat=${Version}', name)}" for name in packages),
+            "peers": _peers(build),
             "run": "quick: few cases, short runs" if quick else "full"}
 
 

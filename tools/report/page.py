@@ -18,7 +18,7 @@ import work
 
 def sections(document, book):
     """Of the parts that the document has, in the order of the page."""
-    if "accuracy" in document:
+    if "accuracy" in document or "deforming" in document:
         yield from work.sections(document, book)
         yield from work.promises(document)
     if "extremes_by_map" in document:

@@ -25,7 +25,7 @@ except ImportError as missing:
 def arguments():
     parser = argparse.ArgumentParser(description="Measures abut beside its peers; writes report.json and index.html.")
     parser.add_argument("--quick", action="store_true", help="few cases and short runs, at most 3 minutes")
-    parser.add_argument("--only", action="append", metavar="PART", help="accuracy, extremes, response, response_maps, steadiness, universe or builds")
+    parser.add_argument("--only", action="append", metavar="PART", help="accuracy, deforming, extremes, response, response_maps, steadiness, universe or builds")
     parser.add_argument("--build", type=Path, help="the build whose programs run")
     parser.add_argument("--lean", type=Path, action="append", default=[], metavar="FOLDER", help="another build, to be weighed beside")
     parser.add_argument("--from", dest="source", type=Path, metavar="FILE", help="draws a report.json; measures nothing")

@@ -11,11 +11,14 @@ CLASSES = {"sphere": "round", "capsule": "round", "box": "polytope", "hull32": "
            "cylinder": "curved", "cone": "curved", "ellipsoid": "curved"}
 # What bodies of all these classes are asked on or in.
 WHOLES = {"plane": "plane", "mesh": "surface: mesh", "height_field": "surface: height field", "solid_mesh": "solid mesh",
-          "distance_field": "distance field", "particles": "particles", "composite": "composite"}
+          "distance_field": "distance field", "particles": "particles", "composite": "composite",
+          "deforming_folds": "deforming, a sheet in folds with itself", "deforming_two": "deforming, two sheets"}
 ORDER = ("round", "polytope", "curved")
 QUESTIONS = {"distance": "distance of pairs that are apart", "depth": "depth of pairs that overlap",
              "contacts": "depth of the deepest contact", "overlap": "whether two overlap, yes or no", "cast": "share of a motion at the first touch",
-             "ray": "share of a ray at the first hit", "impact": "time of impact of bodies that turn"}
+             "ray": "share of a ray at the first hit", "impact": "time of impact of bodies that turn, and of elements that deform",
+             "candidates": "elements of meshes that deform whose boxes come near",
+             "closest": "the nearest face of each vertex of meshes that deform"}
 CONDITIONS = {"ordinary": "ordinary", "thin": "needles and plates, aspect 1e6", "size_ratio": "size ratio 1e9",
               "far": "1e9 sizes from the origin", "parallel": "parallel to 1e-3 ... 1e-12 rad",
               "touching": "gap or depth 1e-3 ... 1e-12 of the size"}
@@ -118,8 +121,13 @@ def panels(rows):
     return grouped(sorted(rows, key=lambda row: (order.get(row["question"], len(order)), row["condition"] != "ordinary")), name_of)
 
 
+def all_rows(document):
+    """Those of pairs, and those of meshes that deform."""
+    return [row for part in ("accuracy", "deforming") for row in document.get(part, {}).get("rows", [])]
+
+
 def sections(document, book):
-    rows = document["accuracy"]["rows"]
+    rows = all_rows(document)
     every = panels(rows)
     contenders = list(dict.fromkeys(row["contender"] for row in rows))
     for question, what in QUESTIONS.items():
@@ -136,7 +144,7 @@ def sections(document, book):
 
 def promise_rows(document):
     """Of each error bound that convex pairs were asked for: the worst error as a part of it, and promises that were broken."""
-    rows = [row for row in document["accuracy"]["rows"] if row["contender"].startswith("abut 1e-") and "broken" in row
+    rows = [row for row in all_rows(document) if row["contender"].startswith("abut 1e-") and "broken" in row
             and row["pair"].split("-")[0] not in WHOLES]
     found = []
     for (question, contender), group in grouped(rows, lambda row: (row["question"], row["contender"])).items():
