@@ -35,7 +35,7 @@ string(REPLACE ";" "\\;" shapes "${representatives}")
 # A build type without optimisation and without debug information compiles fastest. ABUT_FUZZ is for the replay: its
 # live targets are not built.
 run(${CMAKE_COMMAND} -G ${generator} -S ${tree} -B ${work}/build -D CMAKE_C_COMPILER=${c} -D CMAKE_CXX_COMPILER=${cxx}
-    -D CMAKE_BUILD_TYPE=None "-D ABUT_SHAPES=${shapes}" -D ABUT_FEATURES=${features}
+    -D CMAKE_BUILD_TYPE=None "-D ABUT_SHAPES=${shapes}" "-D ABUT_FEATURES=${features}"
     -D ABUT_WARNINGS=OFF -D ABUT_TESTS=OFF -D ABUT_TOOLS=OFF -D ABUT_BENCH=OFF -D ABUT_FUZZ=ON)
 run(${CMAKE_COMMAND} --build ${work}/build --target abut abut_fuzz_replay)
 
