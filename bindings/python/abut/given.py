@@ -12,6 +12,8 @@ from .records import ROWS, Records, dtype_of, numpy
 
 _LIMITS = {c_uint32: 2**32 - 1, c_uint64: 2**64 - 1}
 _ALSO = {c.Pose: rotations.pose_rows, c.Quat: rotations.quaternions}  # what else is one than its numbers
+# What makes one, for messages.
+_MAKERS = {c.Pose: "; abut.pose(x, y, z) makes one", c.Ray: "; abut.ray(origin, direction) makes one"}
 _LETTERS = {c_double: "d", c_uint32: "I", c_uint64: "QL"}
 
 
@@ -175,10 +177,10 @@ def _row(kind, name, item):
         item = _ALSO[kind](name, item)
     width = ROWS.get(kind)
     if width is None or not hasattr(item, "__iter__"):
-        raise TypeError(f"{name} is of type {type(item).__name__}; it must be a {kind.__name__}")
+        raise TypeError(f"{name} is of type {type(item).__name__}; it must be a {kind.__name__}{_MAKERS.get(kind, '')}")
     found = item.tolist() if hasattr(item, "tolist") else tuple(item)
     if len(found) != width:
-        raise ValueError(f"{name} has {len(found)} numbers; it must have {width}")
+        raise ValueError(f"{name} has {len(found)} numbers; it must have {width}{_MAKERS.get(kind, '')}")
     return kind.from_buffer(_packed(name, found, c_double))
 
 

@@ -68,7 +68,7 @@ class Inputs(unittest.TestCase):
             r"poses_b has shape \(3,\)": lambda: abut.pairs_distance(ball, HERE, ball, numpy.zeros(3)),
             "poses_a has 2 and poses_b has 3":
                 lambda: abut.pairs_distance(ball, poses_along_x(0, 0), ball, poses_along_x(0, 0, 0)),
-            "pose_b has 3 numbers; it must have 7": lambda: abut.pair_distance(ball, HERE, ball, numpy.zeros(3)),
+            r"pose_b has 3 numbers; it must have 7; abut.pose\(x, y, z\) makes one": lambda: abut.pair_distance(ball, HERE, ball, numpy.zeros(3)),
             r"points has shape \(2, 4\); it must be \(N, 3\)": lambda: universe.at_points(numpy.zeros((2, 4))),
             r"rays has shape \(2, 3\); it must be \(N, 6\)": lambda: universe.cast_rays(numpy.zeros((2, 3))),
             r"heights has shape \(2, 3\)": lambda: abut.Shape.height_field(2, 2, numpy.zeros((2, 3))),
@@ -82,6 +82,8 @@ class Inputs(unittest.TestCase):
             "xyz holds complex128; it must hold numbers": lambda: abut.Shape.hull(numpy.zeros((4, 3), complex)),
             "triangles holds float64; it must hold whole numbers": lambda: abut.Shape.mesh(three, numpy.zeros((1, 3))),
             "parts holds float64 of shape": lambda: universe.poses(numpy.zeros(3)),
+            r"pose_b is of type NoneType; it must be a Pose; abut.pose\(x, y, z\)": lambda: abut.pair_distance(ball, HERE, ball, None),
+            r"along is of type float; it must be a Ray; abut.ray\(origin, direction\)": lambda: universe.cast_ray(5.0),
             "a is of type str; it must be a Shape": lambda: abut.pairs_distance("ball", HERE, ball, HERE),
         }.items():
             with self.subTest(expected), self.assertRaisesRegex(TypeError, expected):

@@ -170,6 +170,7 @@ class Transforms(unittest.TestCase):
     def test_what_is_wrong_is_refused(self):
         for expected, call in {
             r"rotation has shape \(2,\)": lambda: fcl.Transform([1, 2]),
+            r"\(4,\) for a quaternion; a homogeneous matrix m is Transform\(m\[:3, :3\]": lambda: fcl.Transform(numpy.eye(4)),
             r"T has shape \(2,\)": lambda: fcl.Transform(numpy.eye(3), [1, 2]),
             "rotation is no rotation: its rows are not of length 1": lambda: fcl.Transform(2 * numpy.eye(3)),
             "R is no rotation: it mirrors": lambda: fcl.Transform().setRotation(-numpy.eye(3)),
@@ -180,6 +181,13 @@ class Transforms(unittest.TestCase):
             "has no shape": lambda: at(fcl.CollisionGeometry()).box,
         }.items():
             with self.subTest(expected), self.assertRaisesRegex(ValueError, expected):
+                call()
+        ball, box = fcl.Sphere(1), at(fcl.Box(1, 1, 1))
+        for expected, call in {
+            "o1 is of type Sphere; it must be a CollisionObject": lambda: fcl.collide(ball, box),
+            "o2 is of type Sphere; it must be a CollisionObject": lambda: fcl.distance(box, ball),
+        }.items():
+            with self.subTest(expected), self.assertRaisesRegex(TypeError, expected):
                 call()
 
 

@@ -21,7 +21,8 @@ def _rotation(name, values):
         quaternions(name, array)  # refuses what is no rotation
         return array
     if array.shape != (4,):
-        raise ValueError(f"{name} has shape {array.shape}; it must be (3, 3), or (4,) for a quaternion")
+        hint = "; a homogeneous matrix m is Transform(m[:3, :3], m[:3, 3])" if array.shape == (4, 4) else ""
+        raise ValueError(f"{name} has shape {array.shape}; it must be (3, 3), or (4,) for a quaternion{hint}")
     return matrices(pose(orientation=array))[:3, :3]
 
 

@@ -20,6 +20,9 @@ __all__ = ["collide", "continuousCollide", "defaultCollisionCallback", "defaultD
 
 def _shapes_of(o1, o2):
     """The shapes to ask about. Of the two half-spaces of a plane it is the one that the other object is less inside."""
+    for name, each in (("o1", o1), ("o2", o2)):
+        if not isinstance(each, CollisionObject):
+            raise TypeError(f"{name} is of type {type(each).__name__}; it must be a CollisionObject")
     sides = [(a, b) for a in o1.geometry.shapes for b in o2.geometry.shapes]
     if len(sides) == 1:
         return sides[0]
