@@ -445,6 +445,7 @@ abut_status abut_response_add_springs(abut_response *response, abut_geometry_id 
 typedef struct abut_elastic_options { uint32_t struct_size; uint32_t reserved; double young; double poisson; double damping; } abut_elastic_options;
 void abut_elastic_options_init(abut_elastic_options *options, uint32_t struct_size);
 abut_status abut_response_add_tetrahedra(abut_response *response, abut_geometry_id geometry, const uint32_t *tetrahedra, size_t count, const abut_elastic_options *options);
+abut_status abut_response_map_vertices(abut_response *response, abut_geometry_id surface, abut_geometry_id carrier, const uint32_t *numbers, const double *weights, size_t count);
 abut_status abut_response_remove_particles(abut_response *response, abut_geometry_id geometry);
 abut_status abut_response_particles(const abut_response *response, abut_geometry_id geometry, const double **xyz, const double **velocities, size_t *count);
 typedef uint32_t (*abut_contact_callback)(void *context, const abut_contact *contact, abut_contact_material *material);

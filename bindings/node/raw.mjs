@@ -469,6 +469,7 @@ export const prototypes = {
     'int32_t abut_response_add_springs(abut_response *response, abut_geometry_id geometry, const uint32_t *pairs, const double *stiffnesses, const double *dampings, const double *rest_lengths, size_t count)',
     'void abut_elastic_options_init(_Out_ abut_elastic_options *options, uint32_t struct_size)',
     'int32_t abut_response_add_tetrahedra(abut_response *response, abut_geometry_id geometry, const uint32_t *tetrahedra, size_t count, const abut_elastic_options *options)',
+    'int32_t abut_response_map_vertices(abut_response *response, abut_geometry_id surface, abut_geometry_id carrier, const uint32_t *numbers, const double *weights, size_t count)',
     'int32_t abut_response_remove_particles(abut_response *response, abut_geometry_id geometry)',
     'int32_t abut_response_particles(abut_response *response, abut_geometry_id geometry, _Out_ void **xyz, _Out_ void **velocities, _Out_ size_t *count)',
     'int32_t abut_response_set_contact_callback(abut_response *response, abut_contact_callback *callback, void *context)',

@@ -17,6 +17,7 @@ namespace abut::capi {
 
 namespace {
 
+using response::across;
 using response::ContactPlace;
 using response::ContactRows;
 using response::cross;
@@ -84,13 +85,6 @@ enum class Presence : unsigned char { needed, optional };
 [[nodiscard]] abut_vec3 unit(const abut_vec3& v) {
   const abut_vec3 tame = scale(v, 1 / std::max({std::fabs(v.x), std::fabs(v.y), std::fabs(v.z)}));
   return scale(tame, 1 / std::sqrt(dot(tame, tame)));
-}
-
-// Any direction at right angles to a unit vector: Duff et al., "Building an orthonormal basis, revisited" (2017),
-// https://jcgt.org/published/0006/01/01/.
-[[nodiscard]] abut_vec3 across(const abut_vec3& n) {
-  const double sign = std::copysign(1.0, n.z), a = -1 / (sign + n.z);
-  return {1 + sign * n.x * n.x * a, sign * n.x * n.y * a, -sign * n.x};
 }
 
 // All that is read, as spans.
@@ -182,8 +176,6 @@ struct [[gsl::Pointer]] Arrays {
 [[nodiscard]] abut_status read_contact(const Arrays& arrays, std::size_t k, PreparedProblem& out) {
   const std::size_t bodies = out.problem.bodies.size();
   ContactPlace place{};
-  place.a = arrays.bodies[2 * k];
-  place.b = arrays.bodies[2 * k + 1];
   for (const std::size_t side : {std::size_t{0}, std::size_t{1}}) {
     const std::uint32_t body = arrays.bodies[2 * k + side];
     if (body != no_body && body >= bodies) {
@@ -191,17 +183,18 @@ struct [[gsl::Pointer]] Arrays {
                             "it must be less than problem.body_count, or ABUT_NO_BODY");
     }
   }
-  if (place.a == place.b) {
-    return refuse_element(ABUT_INVALID_ARGUMENT, "bodies", 2 * k + 1, place.b,
+  if (arrays.bodies[2 * k] == arrays.bodies[2 * k + 1]) {
+    return refuse_element(ABUT_INVALID_ARGUMENT, "bodies", 2 * k + 1, arrays.bodies[2 * k + 1],
                           "the two sides of a contact must differ");
   }
   if (const abut_status status = read_frame(arrays, k, place); status != ABUT_OK) return status;
   const abut_vec3 point = vector_at(arrays.points, k);
-  const auto arm = [&](std::uint32_t body) {
-    return body == no_body ? abut_vec3{} : subtract(point, vector_at(arrays.centres, body));
-  };
-  place.arm_a = arm(place.a);
-  place.arm_b = arm(place.b);
+  for (const std::size_t side : {std::size_t{0}, std::size_t{1}}) {
+    const std::uint32_t body = arrays.bodies[2 * k + side];
+    if (body == no_body) continue;
+    const abut_vec3 arm = subtract(point, vector_at(arrays.centres, body));
+    place.holders.push_back({.body = body, .weight = side == 0 ? -1.0 : 1.0, .arm = arm});
+  }
   if (!arrays.surface_velocities.empty()) place.surface_velocity = vector_at(arrays.surface_velocities, k);
   ContactRows contact = response::contact_rows(place);
   contact.offset = arrays.offsets.empty() ? 0 : arrays.offsets[k];

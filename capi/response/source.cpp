@@ -18,6 +18,23 @@ namespace {
 // By which the universe tells it.
 constexpr const char* extension_name = "response";
 
+// What a universe lends until it changes.
+template <class Record>
+[[nodiscard]] abut_status copy_lent(const abut_universe* universe,
+                                    abut_status (*lend)(const abut_universe*, const Record**, std::size_t*),
+                                    std::vector<Record>& out) {
+  const Record* first = nullptr;
+  std::size_t count = 0;
+  const abut_status status = lend(universe, &first, &count);
+  if (status != ABUT_OK) return status;
+  // SAFETY: the universe lends as many records as it says.
+  ABUT_UNSAFE_BEGIN
+  const std::span<const Record> lent(first, count);
+  ABUT_UNSAFE_END
+  out.assign(lent.begin(), lent.end());
+  return ABUT_OK;
+}
+
 }  // namespace
 
 void DetachResponse::operator()(abut_universe* universe) const noexcept {
@@ -34,16 +51,46 @@ abut_status attach_response(abut_universe* universe, ResponseAttachment& out) no
 abut_status ResponseSource::detect(double dt) { return abut_universe_step(universe_.get(), dt); }
 
 abut_status ResponseSource::contacts(std::vector<abut_contact>& out) const {
-  const abut_contact* first = nullptr;
-  std::size_t count = 0;
-  const abut_status status = abut_universe_contacts(universe_.get(), &first, &count);
+  return copy_lent(universe_.get(), abut_universe_contacts, out);
+}
+
+abut_status ResponseSource::element_contacts(std::vector<abut_element_contact>& out) const {
+  out.clear();
+  if (abut_has_feature("deforming") == 0) return ABUT_OK;
+  return copy_lent(universe_.get(), abut_universe_element_contacts, out);
+}
+
+abut_status ResponseSource::contact_distance(abut_geometry_id a, abut_geometry_id b, double& out) const {
+  response::GeometryFacts facts_a, facts_b;
+  abut_status status = facts(a, facts_a);
+  if (status == ABUT_OK) status = facts(b, facts_b);
+  abut_policy policy;
+  abut_policy_init(&policy, sizeof policy);
+  if (status == ABUT_OK) status = abut_policy_get(universe_.get(), facts_a.tag, facts_b.tag, &policy);
+  out = policy.contact_distance;
+  return status;
+}
+
+abut_status ResponseSource::skin(abut_geometry_id geometry, response::Skin& out) const {
+  abut_geometry_info info;
+  abut_geometry_info_init(&info, sizeof info);
+  abut_status status = abut_geometry_describe(universe_.get(), geometry, &info);
+  std::size_t vertices = 0, triangles = 0;
+  if (status == ABUT_OK) status = abut_shape_triangles(info.shape, nullptr, 0, &vertices, nullptr, 0, &triangles);
   if (status != ABUT_OK) return status;
-  // SAFETY: the universe lends as many contacts as it says.
-  ABUT_UNSAFE_BEGIN
-  const std::span<const abut_contact> lent(first, count);
-  ABUT_UNSAFE_END
-  out.assign(lent.begin(), lent.end());
-  return ABUT_OK;
+  out.xyz.resize(3 * vertices);
+  out.triangles.resize(3 * triangles);
+  status = abut_shape_triangles(info.shape, out.xyz.data(), vertices, &vertices, out.triangles.data(), triangles,
+                                &triangles);
+  using namespace response;
+  const Matrix turn = matrix_of(info.pose.orientation);
+  for (std::size_t i = 0; i + 2 < out.xyz.size(); i += 3) {
+    const abut_vec3 at = add(info.pose.position, times(turn, {out.xyz[i], out.xyz[i + 1], out.xyz[i + 2]}));
+    out.xyz[i] = at.x;
+    out.xyz[i + 1] = at.y;
+    out.xyz[i + 2] = at.z;
+  }
+  return status;
 }
 
 abut_status ResponseSource::facts(abut_geometry_id geometry, response::GeometryFacts& out) const {
@@ -111,6 +158,15 @@ abut_status ResponseSource::has_margin(bool& out) const {
   return status;
 }
 
+bool ResponseSource::has_vertices(abut_geometry_id geometry) const {
+  const std::string message = abut_last_error_message();
+  const double* xyz = nullptr;
+  std::size_t count = 0;
+  const bool has_them = abut_geometry_vertices(universe_.get(), geometry, &xyz, &count) == ABUT_OK;
+  if (!has_them) abut_set_last_error(ABUT_OK, message.c_str());
+  return has_them;
+}
+
 abut_status ResponseSource::move_particles(abut_geometry_id geometry, std::span<const double> xyz) {
   abut_geometry_info info;
   abut_geometry_info_init(&info, sizeof info);
@@ -124,6 +180,8 @@ abut_status ResponseSource::move_particles(abut_geometry_id geometry, std::span<
     const abut_vec3 at = times(back, subtract({xyz[i], xyz[i + 1], xyz[i + 2]}, info.pose.position));
     local.insert(local.end(), {at.x, at.y, at.z});
   }
+  if (has_vertices(geometry))
+    return abut_geometry_set_vertices(universe_.get(), geometry, 0, local.data(), local.size() / 3);
   return abut_geometry_set_particles(universe_.get(), geometry, 0, local.data(), nullptr, local.size() / 3);
 }
 

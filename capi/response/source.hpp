@@ -33,6 +33,9 @@ class ResponseSource final : public response::Source {
 
   [[nodiscard]] abut_status detect(double dt) override;
   [[nodiscard]] abut_status contacts(std::vector<abut_contact>& out) const override;
+  [[nodiscard]] abut_status element_contacts(std::vector<abut_element_contact>& out) const override;
+  [[nodiscard]] abut_status contact_distance(abut_geometry_id a, abut_geometry_id b, double& out) const override;
+  [[nodiscard]] abut_status skin(abut_geometry_id geometry, response::Skin& out) const override;
   [[nodiscard]] abut_status facts(abut_geometry_id geometry, response::GeometryFacts& out) const override;
   [[nodiscard]] abut_status material(std::uint32_t a, std::uint32_t b, abut_contact_material& out) const override;
   [[nodiscard]] bool has(abut_part_id part) const override;
@@ -52,6 +55,8 @@ class ResponseSource final : public response::Source {
   [[nodiscard]] abut_status stop_accelerating(std::span<const abut_part_id> parts) override;
 
  private:
+  [[nodiscard]] bool has_vertices(abut_geometry_id geometry) const;
+
   UniversePointer universe_;
 };
 

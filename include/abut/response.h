@@ -244,9 +244,8 @@ ABUT_API abut_status abut_response_set_force_callback(abut_response *response, a
 /**
  * Makes bodies that do not turn of all particles of a geometry, whose part must be no body. They go by the integrator
  * ABUT_INTEGRATOR_IMPLICIT, and by gravity alone. Particles that were bodies already get the new numbers. They end with
- * their geometry.
- * ABUT_UNSUPPORTED for a geometry that has no particles. While there are any, a step with ABUT_RESPONSE_IMPACTS is
- * ABUT_UNSUPPORTED, too.
+ * their geometry. The vertices of a mesh are its particles, too: a cloth. Contacts push them by their weights; see
+ * docs/response.md. ABUT_UNSUPPORTED for a geometry that has neither, and for steps with ABUT_RESPONSE_IMPACTS.
  * @param masses      count numbers, 1e-30 to 1e30; 0 for a particle that is held
  * @param xyz         count * 3 numbers, centres in the world; the geometry takes them
  * @param velocities  count * 3 numbers; may be null for 0
@@ -299,7 +298,26 @@ ABUT_API abut_status abut_response_add_tetrahedra(abut_response *response, abut_
                                                   const uint32_t *tetrahedra, size_t count,
                                                   const abut_elastic_options *options);
 
-/** Ends particles; they stay where they are. ABUT_STALE_ID where the geometry has none. [exclusive] */
+/**
+ * Lets the vertices of a mesh follow particles that are bodies: a fine surface on a coarse body. Each is the mean of
+ * four by their weights, now and after each step, such as barycentric coordinates in a tetrahedron. Contacts push the
+ * particles by the same weights. A surface that followed others already follows these. It follows until a geometry of
+ * the two is destroyed, or abut_response_add_particles or abut_response_remove_particles is called for one.
+ * ABUT_STALE_ID where `carrier` has no particles that are bodies, ABUT_INDEX_OUT_OF_RANGE for a particle that is none.
+ * ABUT_INVALID_ARGUMENT for vertices that are bodies themselves, or of a part that is one. ABUT_OUT_OF_RANGE where four
+ * weights have a sum that is off 1 by more than 1e-6; they are divided by that sum. Then nothing changes.
+ * @param surface  ABUT_UNSUPPORTED for a geometry without vertices
+ * @param carrier  the geometry with the particles; on the part of the surface, the two do not meet
+ * @param numbers  count * 4 numbers of particles
+ * @param weights  count * 4 numbers, -1000 to 1000
+ * @param count    of vertices; vertices beyond are walls
+ * [exclusive]
+ */
+ABUT_API abut_status abut_response_map_vertices(abut_response *response, abut_geometry_id surface,
+                                                abut_geometry_id carrier, const uint32_t *numbers,
+                                                const double *weights, size_t count);
+
+/** Ends particles, or a surface on some; they stay. ABUT_STALE_ID where the geometry has none. [exclusive] */
 ABUT_API abut_status abut_response_remove_particles(abut_response *response, abut_geometry_id geometry);
 
 /**

@@ -293,6 +293,17 @@ class Response {
                                            : abut_response_add_tetrahedra(get(), geometry, tetrahedra.data(), count,
                                                                           &options));
   }
+  // Vertices of a mesh follow particles of the carrier: four numbers and weights each.
+  Answer<void> map_vertices(GeometryId surface, GeometryId carrier, Span<const std::uint32_t> numbers,
+                            Span<const double> weights) {
+    const std::size_t count = numbers.size() / 4;
+    const abut_status sizes = detail::first_failure(
+        detail::expect_as_many("numbers", numbers.size(), "vertices, four times", 4 * count),
+        detail::expect_as_many("weights", weights.size(), "numbers", numbers.size()));
+    return detail::answer(sizes != ABUT_OK ? sizes
+                                           : abut_response_map_vertices(get(), surface, carrier, numbers.data(),
+                                                                        weights.data(), count));
+  }
   Answer<void> remove_particles(GeometryId geometry) {
     return detail::answer(abut_response_remove_particles(get(), geometry));
   }

@@ -22,6 +22,12 @@ struct GeometryFacts {
   double tolerance = 0;
 };
 
+// The triangles of a geometry, in the world. Vertices are three numbers each.
+struct Skin {
+  std::vector<double> xyz;
+  std::vector<std::uint32_t> triangles;
+};
+
 class Source {
  public:
   Source() = default;
@@ -35,6 +41,10 @@ class Source {
   [[nodiscard]] virtual abut_status detect(double dt) = 0;
   // Those of the last detection.
   [[nodiscard]] virtual abut_status contacts(std::vector<abut_contact>& out) const = 0;
+  [[nodiscard]] virtual abut_status element_contacts(std::vector<abut_element_contact>& out) const = 0;
+  // How far apart the surfaces of a pair are to stay, by its policy.
+  [[nodiscard]] virtual abut_status contact_distance(abut_geometry_id a, abut_geometry_id b, double& out) const = 0;
+  [[nodiscard]] virtual abut_status skin(abut_geometry_id geometry, Skin& out) const = 0;
   [[nodiscard]] virtual abut_status facts(abut_geometry_id geometry, GeometryFacts& out) const = 0;
   [[nodiscard]] virtual abut_status material(std::uint32_t a, std::uint32_t b, abut_contact_material& out) const = 0;
   // Whether the world has a part; false when it was destroyed.
@@ -48,7 +58,7 @@ class Source {
                                          std::span<const abut_velocity> velocities) = 0;
   // Whether the world has a geometry; false when it was destroyed.
   [[nodiscard]] virtual bool has(abut_geometry_id geometry) const = 0;
-  // Particles of a geometry from the first one on, three numbers each, in the world.
+  // Particles of a geometry, or vertices of its mesh, from the first one on; three numbers each, in the world.
   [[nodiscard]] virtual abut_status move_particles(abut_geometry_id geometry, std::span<const double> xyz) = 0;
   [[nodiscard]] virtual abut_status geometries_of(abut_part_id part, std::vector<GeometryFacts>& out) const = 0;
   [[nodiscard]] virtual abut_status is_dynamic(abut_part_id part, bool& out) const = 0;

@@ -59,6 +59,12 @@ using Matrix = std::array<double, 9>;  // row by row
   const double size = 1 / std::sqrt(q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z);
   return {q.w * size, q.x * size, q.y * size, q.z * size};
 }
+// Any direction at right angles to a unit vector: Duff et al., "Building an orthonormal basis, revisited" (2017),
+// https://jcgt.org/published/0006/01/01/.
+[[nodiscard]] inline abut_vec3 across(const abut_vec3& n) {
+  const double sign = std::copysign(1.0, n.z), a = -1 / (sign + n.z);
+  return {1 + sign * n.x * n.x * a, sign * n.x * n.y * a, -sign * n.x};
+}
 // The turn by 2 atan(|half|) about the direction of a vector: no sine, so the same bits on any machine.
 [[nodiscard]] inline abut_quat cayley(const abut_vec3& half) { return normalized({1, half.x, half.y, half.z}); }
 

@@ -87,4 +87,21 @@ TEST(Response, HangsParticlesOnSprings) {
   EXPECT_THROW(response.add_tetrahedra(geometry, std::vector<std::uint32_t>{0, 1, 2}), abut::Error);
 }
 
+TEST(Response, LetsAMeshFollowParticles) {
+  abut::Universe universe(abut::UniverseOptions().with_tolerance_mode(ABUT_TOLERANCE_MARGIN));
+  const std::vector<double> corners{0, 0, 5, 1, 0, 5, 0, 1, 5, 0, 0, 6};
+  const abut::PartId part = universe.create_part(abut::PartOptions());
+  const abut::GeometryId soft = universe.create_geometry(part, abut::Shape::particles(corners, 0.1));
+  const std::vector<std::uint32_t> face{0, 1, 2}, numbers{0, 1, 2, 3, 0, 1, 2, 3, 0, 1, 2, 3};
+  const abut::GeometryId skin = universe.create_geometry(part, abut::Shape::mesh(corners, face));
+  abut::Response response(universe);
+  response.add_particles(soft, std::vector<double>(4, 1), corners);
+  const std::vector<double> weights{0.25, 0.25, 0.25, 0.25, 0.5, 0.5, 0, 0, 0, 0, 0, 1};
+  response.map_vertices(skin, soft, numbers, weights);
+  response.step(0.1);
+  EXPECT_NEAR(universe.vertices(skin)[2], 5.25 - 0.5 * 9.81 * 0.01, 1e-12);
+  EXPECT_THROW(response.map_vertices(skin, soft, numbers, std::vector<double>{1, 0, 0, 0}), abut::Error);
+  response.remove_particles(skin);
+}
+
 }  // namespace

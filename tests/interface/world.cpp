@@ -124,6 +124,13 @@ void World::add_extensions() {
   require(abut_response_add_bodies(response_, parts_.data(), of_a_kind, nullptr));
   const std::vector<double> masses(8, 1.0);
   require(abut_response_add_particles(response_, geometry(6, 0), masses.data(), corners.data(), nullptr, 8));
+  // A mesh whose vertices are bodies, so that another one may follow them.
+  std::vector<double> places(corners.begin(), corners.end());
+  for (std::size_t i = 0; i < places.size(); i += 3) {
+    places[i] += 10;
+    places[i + 1] += 60;
+  }
+  require(abut_response_add_particles(response_, geometry(3, 1), masses.data(), places.data(), nullptr, 8));
   abut_link_options link = filled_by(abut_link_options_init);
   link.b = parts_[0];
   std::uint64_t number = 0;

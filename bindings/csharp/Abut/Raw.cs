@@ -1607,6 +1607,7 @@ namespace Abut
         [DllImport("abut_response")] internal static extern Status abut_response_add_springs(IntPtr response, GeometryId geometry, uint[] pairs, double[] stiffnesses, double[] dampings, double[] restLengths, UIntPtr count);
         [DllImport("abut_response")] internal static extern void abut_elastic_options_init(out ElasticOptions options, uint structSize);
         [DllImport("abut_response")] internal static extern Status abut_response_add_tetrahedra(IntPtr response, GeometryId geometry, uint[] tetrahedra, UIntPtr count, ElasticOptions[] options);
+        [DllImport("abut_response")] internal static extern Status abut_response_map_vertices(IntPtr response, GeometryId surface, GeometryId carrier, uint[] numbers, double[] weights, UIntPtr count);
         [DllImport("abut_response")] internal static extern Status abut_response_remove_particles(IntPtr response, GeometryId geometry);
         [DllImport("abut_response")] internal static extern Status abut_response_particles(IntPtr response, GeometryId geometry, out IntPtr xyz, out IntPtr velocities, out UIntPtr count);
         [DllImport("abut_response")] internal static extern Status abut_response_set_contact_callback(IntPtr response, ContactCallback callback, IntPtr context);

@@ -138,7 +138,7 @@ class Response(Owner):
         self._change(library.abut_response_apply_torque, part, byref(given.vec3("torque", torque)))
 
     def add_particles(self, geometry: c.GeometryId, masses: Any, xyz: Any, velocities: Any = None) -> None:
-        """Makes bodies of the particles of a geometry: N masses, (N, 3) centres and velocities."""
+        """Makes bodies of the particles or vertices of a geometry: N masses, (N, 3) centres and velocities."""
         weights, (centres, count) = given.numbers("masses", masses), given.rows("xyz", xyz, 3)
         speeds, speed_count = (None, count) if velocities is None else given.rows("velocities", velocities, 3)
         if not len(weights) == count == speed_count:
@@ -167,8 +167,16 @@ class Response(Owner):
         material = options.filled(c.ElasticOptions, library.abut_elastic_options_init, fields)
         self._change(library.abut_response_add_tetrahedra, geometry, corners, count, byref(material))
 
+    def map_vertices(self, surface: c.GeometryId, carrier: c.GeometryId, numbers: Any, weights: Any) -> None:
+        """Vertices of a mesh follow particles: (N, 4) numbers and weights."""
+        nodes, count = given.rows("numbers", numbers, 4, c_uint32)
+        parts, part_count = given.rows("weights", weights, 4)
+        if part_count != count:
+            raise ValueError(f"numbers has {count} and weights has {part_count}; they must have as many elements")
+        self._change(library.abut_response_map_vertices, surface, carrier, nodes, parts, count)
+
     def remove_particles(self, geometry: c.GeometryId) -> None:
-        """Ends particles; they stay where they are."""
+        """Ends particles, or a mesh that follows some; they stay where they are."""
         self._change(library.abut_response_remove_particles, geometry)
 
     def particles(self, geometry: c.GeometryId) -> tuple[Records, Records]:

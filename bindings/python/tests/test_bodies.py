@@ -151,6 +151,21 @@ class Bodies(unittest.TestCase):
         with self.assertRaisesRegex(abut.Error, "options.poisson is 0.5"):
             self.response.add_tetrahedra(soft, [(0, 1, 2, 3)], poisson=0.5)
 
+    def test_a_mesh_follows_particles(self):
+        corners = [(0, 0, 5), (1, 0, 5), (0, 1, 5), (0, 0, 6)]
+        part = self.universe.add_part()
+        soft = self.universe.add_geometry(part, abut.Shape.particles(corners, 0.1))
+        skin = self.universe.add_geometry(part, abut.Shape.mesh(corners[:3], [0, 1, 2]))
+        self.response.add_particles(soft, [1, 1, 1, 1], corners)
+        self.response.map_vertices(skin, soft, [(0, 1, 2, 3)] * 3, [(0.25,) * 4, (0.5, 0.5, 0, 0), (0, 0, 0, 1)])
+        self.fall(10)
+        places = self.universe.vertices(skin)
+        self.assertAlmostEqual(places[0].x, 0.25)
+        self.assertAlmostEqual(places[2].z, 6 - FALLEN, places=9)
+        with self.assertRaisesRegex(ValueError, "numbers has 1 and weights has 2"):
+            self.response.map_vertices(skin, soft, [(0, 1, 2, 3)], [(0.25,) * 4] * 2)
+        self.response.remove_particles(skin)
+
     def test_it_goes_with_its_universe(self):
         self.universe.close()
         with self.assertRaisesRegex(ValueError, "this response is closed"):

@@ -31,7 +31,7 @@ std::uint64_t hash_of(std::span<const std::byte> bytes) {
 
 namespace {
 
-constexpr std::uint64_t mark = 0x5345525455424100U, version = 2;
+constexpr std::uint64_t mark = 0x5345525455424100U, version = 3;
 constexpr std::size_t head = 3 * sizeof(std::uint64_t);
 
 class Writer {
@@ -214,6 +214,12 @@ void Simulation::exchange(Archive& archive, Self& its) {
       take(archive, element.volume, element.shear, element.lame, element.damping);
     });
   });
+  archive.list(its.surfaces_, [&](auto& surface) {
+    take_id(archive, surface.geometry);
+    take_id(archive, surface.carrier);
+    archive.list(surface.nodes, [&](auto& node) { archive.take(node); });
+    archive.list(surface.weights, [&](auto& weight) { archive.take(weight); });
+  });
   archive.list(its.kept_, [&](auto& contact) {
     take_id(archive, contact.a);
     take_id(archive, contact.b);
@@ -275,6 +281,12 @@ bool Simulation::load(std::span<const std::byte> bytes) {
       is_good = is_good && std::ranges::all_of(its.nodes, is_node) && its.volume > 0 && its.shear >= 0 &&
                 its.lame >= 0 && its.damping >= 0;
     }
+  }
+  for (const Surface& its : surfaces_) {
+    const Grains* const carrier = particles_of(its.carrier);
+    is_good = is_good && carrier != nullptr && its.nodes.size() == its.weights.size() &&
+              its.nodes.size() % Surface::width == 0 &&
+              std::ranges::all_of(its.nodes, [&](std::uint32_t node) { return node < carrier->masses.size(); });
   }
   for (const Link& link : links_) {
     is_good = is_good && is_kind(link.kind) && link.number < next_link_ && link.stiffness >= 0 && link.damping >= 0 &&

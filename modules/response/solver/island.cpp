@@ -5,14 +5,13 @@ module;
 #include <cstdint>
 #include <numeric>
 #include <span>
-#include <utility>
 #include <vector>
 
 module abut.response;
 
 namespace abut::response {
 
-std::vector<Island> islands_of(std::size_t count, std::span<const std::pair<std::uint32_t, std::uint32_t>> sides) {
+std::vector<Island> islands_of(std::size_t count, std::span<const std::vector<std::uint32_t>> joined) {
   std::vector<std::uint32_t> parents(count);
   std::iota(parents.begin(), parents.end(), 0U);
   // The least body of an island is its root, and paths are halved on the way there.
@@ -20,10 +19,11 @@ std::vector<Island> islands_of(std::size_t count, std::span<const std::pair<std:
     while (parents[body] != body) body = parents[body] = parents[parents[body]];
     return body;
   };
-  for (const auto& [a, b] : sides) {
-    if (a == no_body || b == no_body) continue;
-    const std::uint32_t one = root(a), other = root(b);
-    parents[one < other ? other : one] = one < other ? one : other;
+  for (const std::vector<std::uint32_t>& bodies : joined) {
+    for (const std::uint32_t body : bodies) {
+      const std::uint32_t one = root(bodies.front()), other = root(body);
+      parents[one < other ? other : one] = one < other ? one : other;
+    }
   }
   std::vector<Island> islands;
   std::vector<std::uint32_t> places(count);
@@ -35,10 +35,7 @@ std::vector<Island> islands_of(std::size_t count, std::span<const std::pair<std:
     }
     islands[places[first]].bodies.push_back(body);
   }
-  for (std::uint32_t k = 0; k < sides.size(); ++k) {
-    const std::uint32_t body = sides[k].first == no_body ? sides[k].second : sides[k].first;
-    islands[places[root(body)]].contacts.push_back(k);
-  }
+  for (std::uint32_t k = 0; k < joined.size(); ++k) islands[places[root(joined[k].front())]].contacts.push_back(k);
   return islands;
 }
 

@@ -5,7 +5,6 @@ module;
 #include <cstddef>
 #include <cstdint>
 #include <span>
-#include <utility>
 #include <vector>
 
 export module abut.response:island;
@@ -17,9 +16,8 @@ struct Island {
   std::vector<std::uint32_t> contacts;  // in increasing order
 };
 
-// Islands of `count` bodies in the order of their first bodies. Contact k joins the two bodies of sides[k], of which
-// one may be no body: that joins nobody. O(n log n).
-[[nodiscard]] std::vector<Island> islands_of(std::size_t count,
-                                             std::span<const std::pair<std::uint32_t, std::uint32_t>> sides);
+// Islands of `count` bodies in the order of their first bodies. Contact k joins the bodies of joined[k], of which there
+// is one at least. O(n log n).
+[[nodiscard]] std::vector<Island> islands_of(std::size_t count, std::span<const std::vector<std::uint32_t>> joined);
 
 }  // namespace abut::response

@@ -69,9 +69,9 @@ class Blocks {
   explicit Blocks(const Problem& problem) : columns_(problem.bodies.size()) {
     for (std::uint32_t i = 0; i < columns_.size(); ++i) columns_[i].push_back(i);
     for (const ContactRows& contact : problem.contacts) {
-      if (contact.a == no_body || contact.b == no_body) continue;
-      columns_[contact.a].push_back(contact.b);
-      columns_[contact.b].push_back(contact.a);
+      for (const BodyRows& column : contact.bodies) {
+        for (const BodyRows& row : contact.bodies) columns_[column.body].push_back(row.body);
+      }
     }
     for (const Element& element : problem.elements) {
       for (std::uint32_t i = 0; i < element.count; ++i) {
@@ -129,8 +129,8 @@ class [[gsl::Pointer]] Rounds {
   Rounds(const Problem& problem, Solution& solution)
       : problem_(problem), solution_(solution), blocks_(problem), shifts_(problem.contacts.size()) {
     for (const ContactRows& contact : problem.contacts) {
-      of_a_.push_back(matrix_of(contact.of_a));
-      of_b_.push_back(matrix_of(contact.of_b));
+      std::vector<Rows>& its = rows_.emplace_back();
+      for (const BodyRows& body : contact.bodies) its.push_back(matrix_of(body.rows));
     }
     for (const BodyMass& body : problem.bodies) {
       Block mass = Block::Zero();
@@ -251,13 +251,10 @@ class [[gsl::Pointer]] Rounds {
     for (std::size_t k = 0; k < problem_.contacts.size(); ++k) {
       const ContactRows& contact = problem_.contacts[k];
       const Small d = stiffness(k, relative_velocity(contact, v), shift);
-      const Rows da = d * of_a_[k], db = d * of_b_[k];
-      const bool has_a = contact.a != no_body, has_b = contact.b != no_body;
-      if (has_a) blocks_.add(contact.a, contact.a, of_a_[k].transpose() * da);
-      if (has_b) blocks_.add(contact.b, contact.b, of_b_[k].transpose() * db);
-      if (has_a && has_b) {
-        blocks_.add(contact.a, contact.b, of_a_[k].transpose() * db);
-        blocks_.add(contact.b, contact.a, of_b_[k].transpose() * da);
+      for (std::size_t j = 0; j < contact.bodies.size(); ++j) {
+        const Rows column = d * rows_[k][j];
+        for (std::size_t i = 0; i < contact.bodies.size(); ++i)
+          blocks_.add(contact.bodies[i].body, contact.bodies[j].body, rows_[k][i].transpose() * column);
       }
     }
   }
@@ -286,7 +283,7 @@ class [[gsl::Pointer]] Rounds {
   const Problem& problem_;
   Solution& solution_;
   Blocks blocks_;
-  std::vector<Rows> of_a_, of_b_;
+  std::vector<std::vector<Rows>> rows_;  // of contacts, for each of their bodies
   std::vector<Block> masses_;
   std::vector<double> shifts_;
   Eigen::SimplicialLDLT<Sparse> factors_;

@@ -33,10 +33,17 @@ struct BodyMass {
   Matrix inertia;  // symmetric, world axes, about the centre of mass
 };
 
+// A part of what moves a point: a point of a body, by a weight. Those of a have negative weights, those of b positive
+// ones. A point of a rigid body is held by one, and the mean of particles by one of each, whose arm is zero.
+struct Holder {
+  std::uint32_t body;
+  double weight;
+  abut_vec3 arm;  // to the point, from the centre of mass
+};
+
 // Where a contact lies, and what rubs there.
 struct ContactPlace {
-  std::uint32_t a, b;
-  abut_vec3 arm_a, arm_b;           // to the point, from the centres of mass
+  std::vector<Holder> holders;      // of different bodies; what no impulse moves has none
   std::array<abut_vec3, 3> axes;    // t, s, n; units
   std::array<double, 2> frictions;  // along t and s
   abut_vec3 surface_velocity;       // of b less a, beyond that of the bodies
@@ -44,10 +51,16 @@ struct ContactPlace {
 
 enum class Law : unsigned char { contact, hold };
 
+// What a contact has of one body: its relative velocity along t, s, n by the velocity of the body. The same numbers
+// bring impulses back, so that both ways are exact transposes.
+struct BodyRows {
+  std::uint32_t body;
+  std::array<Row, 3> rows;
+};
+
 // The rows of t and s are scaled, so that the cone of friction is round.
 struct ContactRows {
-  std::uint32_t a, b;
-  std::array<Row, 3> of_a, of_b;  // relative velocity along t, s, n
+  std::vector<BodyRows> bodies;   // different ones
   Triple drift;                   // what it is where no body moves; the offset counts in the normal
   double offset;                  // the part of drift[2] that is a gap over a step
   double compliance;              // velocity per impulse

@@ -52,21 +52,19 @@ void sum_elements(const Problem& problem, const std::vector<Row>& velocities, st
 
 Triple relative_velocity(const ContactRows& contact, const std::vector<Row>& velocities) {
   Triple u = contact.drift;
-  for (std::size_t i = 0; i < u.size(); ++i) {
-    if (contact.a != no_body) u[i] += dot(contact.of_a[i], velocities[contact.a]);
-    if (contact.b != no_body) u[i] += dot(contact.of_b[i], velocities[contact.b]);
+  for (const BodyRows& its : contact.bodies) {
+    for (std::size_t i = 0; i < u.size(); ++i) u[i] += dot(its.rows[i], velocities[its.body]);
   }
   return u;
 }
 
 void add_impulse(const ContactRows& contact, const Triple& impulse, std::vector<Row>& sums) {
-  const auto add = [&](const std::array<Row, 3>& rows, Row& sum) {
+  for (const BodyRows& its : contact.bodies) {
+    Row& sum = sums[its.body];
     for (std::size_t i = 0; i < impulse.size(); ++i) {
-      for (std::size_t j = 0; j < sum.size(); ++j) sum[j] += rows[i][j] * impulse[i];
+      for (std::size_t j = 0; j < sum.size(); ++j) sum[j] += its.rows[i][j] * impulse[i];
     }
-  };
-  if (contact.a != no_body) add(contact.of_a, sums[contact.a]);
-  if (contact.b != no_body) add(contact.of_b, sums[contact.b]);
+  }
 }
 
 // By the factors L D L^T of the inertia.
@@ -82,9 +80,9 @@ Row velocity_of_impulse(const BodyMass& body, const Row& impulse) {
 
 Triple diagonal_of(const ContactRows& contact, const std::vector<BodyMass>& bodies) {
   Triple out{};
-  for (std::size_t i = 0; i < out.size(); ++i) {
-    if (contact.a != no_body) out[i] += dot(contact.of_a[i], velocity_of_impulse(bodies[contact.a], contact.of_a[i]));
-    if (contact.b != no_body) out[i] += dot(contact.of_b[i], velocity_of_impulse(bodies[contact.b], contact.of_b[i]));
+  for (const BodyRows& its : contact.bodies) {
+    for (std::size_t i = 0; i < out.size(); ++i)
+      out[i] += dot(its.rows[i], velocity_of_impulse(bodies[its.body], its.rows[i]));
   }
   return out;
 }
@@ -117,10 +115,7 @@ std::vector<Row> sizes_of(const Problem& problem, const Solution& solution) {
     ContactRows sizes = problem.contacts[k];
     Triple impulse = solution.impulses[k];
     absolute(impulse);
-    for (std::size_t i = 0; i < impulse.size(); ++i) {
-      absolute(sizes.of_a[i]);
-      absolute(sizes.of_b[i]);
-    }
+    for (BodyRows& its : sizes.bodies) std::ranges::for_each(its.rows, absolute);
     add_impulse(sizes, impulse, out);
   }
   sum_elements(problem, solution.velocities, out, [](double number) { return std::fabs(number); });

@@ -6,6 +6,7 @@ module;
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <vector>
 
 module abut.response;
 
@@ -29,16 +30,16 @@ namespace {
 
 ContactRows contact_rows(const ContactPlace& place) {
   ContactRows out{};
-  out.a = place.a;
-  out.b = place.b;
   out.axes = place.axes;
   out.friction = std::max(place.frictions[0], place.frictions[1]);
   const double whole = out.friction > 0 ? out.friction : 1;
   out.scales = {place.frictions[0] / whole, place.frictions[1] / whole, 1};
-  for (std::size_t i = 0; i < out.axes.size(); ++i) {
-    out.of_a[i] = row_of(out.axes[i], -out.scales[i], place.arm_a);
-    out.of_b[i] = row_of(out.axes[i], out.scales[i], place.arm_b);
+  for (std::size_t i = 0; i < out.axes.size(); ++i)
     out.drift[i] = out.scales[i] * dot(place.surface_velocity, out.axes[i]);
+  for (const Holder& holder : place.holders) {
+    BodyRows& its = out.bodies.emplace_back(BodyRows{.body = holder.body, .rows = {}});
+    for (std::size_t i = 0; i < out.axes.size(); ++i)
+      its.rows[i] = row_of(out.axes[i], holder.weight * out.scales[i], holder.arm);
   }
   return out;
 }

@@ -57,17 +57,14 @@ class [[gsl::Pointer]] Sweeps {
     Triple& now = solution_.impulses[k];
     const Triple change{impulse[0] - now[0], impulse[1] - now[1], impulse[2] - now[2]};
     now = impulse;
-    const auto apply = [&](std::uint32_t body, const std::array<Row, 3>& rows) {
-      if (body == no_body) return;
+    for (const BodyRows& its : contact.bodies) {
       Row sum{};
       for (std::size_t i = 0; i < change.size(); ++i) {
-        for (std::size_t j = 0; j < sum.size(); ++j) sum[j] += rows[i][j] * change[i];
+        for (std::size_t j = 0; j < sum.size(); ++j) sum[j] += its.rows[i][j] * change[i];
       }
-      const Row gain = velocity_of_impulse(problem_.bodies[body], sum);
-      for (std::size_t j = 0; j < gain.size(); ++j) solution_.velocities[body][j] += gain[j];
-    };
-    apply(contact.a, contact.of_a);
-    apply(contact.b, contact.of_b);
+      const Row gain = velocity_of_impulse(problem_.bodies[its.body], sum);
+      for (std::size_t j = 0; j < gain.size(); ++j) solution_.velocities[its.body][j] += gain[j];
+    }
   }
 
   void push(std::size_t k, const ContactRows& contact) {

@@ -69,19 +69,22 @@ bool Simulation::has_bond(const Pair& pair) const {
   });
 }
 
-abut_status Simulation::read_side(abut_part_id part, const abut_vec3& point, const Pass& pass, Side& out) const {
+abut_status Simulation::hold_part(abut_part_id part, const abut_vec3& point, double sign, const Pass& pass,
+                                  Sides& out) const {
   if (part.slot == 0) return ABUT_OK;
   if (const Body* const found = find(part); found != nullptr) {
     const auto body = static_cast<std::uint32_t>(found - bodies_.data());
+    const Motion& its = pass.motions[body];
     // A body that is asleep, or held, is as good as the ground.
-    if (pass.motions[body].is_awake) out.body = body;
+    if (its.is_awake) out.holders.push_back({.body = body, .weight = sign, .arm = subtract(point, its.centre)});
     return ABUT_OK;
   }
   abut_pose pose;
   abut_velocity moving;
   if (const abut_status status = source_->pose(part, pose); status != ABUT_OK) return status;
   if (const abut_status status = source_->velocity(part, moving); status != ABUT_OK) return status;
-  out.velocity = add(moving.linear, cross(moving.angular, subtract(point, pose.position)));
+  const abut_vec3 velocity = add(moving.linear, cross(moving.angular, subtract(point, pose.position)));
+  out.velocity = add(out.velocity, scale(velocity, sign));
   return ABUT_OK;
 }
 
@@ -104,33 +107,19 @@ abut_status Simulation::read_terms(const abut_contact& record, const GeometryFac
 }
 
 // Of a kind that the caller has added.
-abut_status Simulation::take_law(double dt, const Pass& pass, StepContact& contact, bool& counts) const {
-  std::vector<Row> velocities(pass.motions.size());
-  for (const std::uint32_t side : {contact.a, contact.b}) {
-    if (side != no_body) velocities[side] = row_of(pass.motions[side].linear, pass.motions[side].angular);
-  }
+abut_status Simulation::take_law(double dt, const Pass& pass, ContactPlace place, StepContact& contact,
+                                 bool& counts) const {
   abut_contact_law law = law_of(contact, dt);
-  ContactRows plain = contact.rows;
-  for (std::size_t i = 0; i < plain.scales.size(); ++i) {
-    const double scale = plain.scales[i] > 0 ? 1 / plain.scales[i] : 0;
-    for (double& number : plain.of_a[i]) number *= scale;
-    for (double& number : plain.of_b[i]) number *= scale;
-    plain.drift[i] *= scale;
+  abut_vec3 velocity = place.surface_velocity;
+  for (const Holder& its : place.holders) {
+    const Motion& motion = pass.motions[its.body];
+    velocity = add(velocity, scale(add(motion.linear, cross(motion.angular, its.arm)), its.weight));
   }
-  const Triple along = relative_velocity(plain, velocities);
-  abut_vec3 velocity{};
-  for (std::size_t i = 0; i < along.size(); ++i) velocity = add(velocity, scale(plain.axes[i], along[i]));
   const abut_status status = rules_.kinds()[contact.kind].law(contact.record, velocity, dt, law, counts);
   if (status != ABUT_OK || !counts) return status;
-  abut_vec3 drift = law.surface_velocity;
-  for (std::size_t i = 0; i < plain.axes.size(); ++i) drift = add(drift, scale(plain.axes[i], plain.drift[i]));
-  contact.rows = contact_rows({.a = contact.a,
-                               .b = contact.b,
-                               .arm_a = arm_of(contact.a, contact.point, pass),
-                               .arm_b = arm_of(contact.b, contact.point, pass),
-                               .axes = plain.axes,
-                               .frictions = {law.friction_primary, law.friction_secondary},
-                               .surface_velocity = drift});
+  place.frictions = {law.friction_primary, law.friction_secondary};
+  place.surface_velocity = add(place.surface_velocity, law.surface_velocity);
+  contact.rows = contact_rows(place);
   contact.rows.compliance = contact.compliance = law.compliance;
   contact.rows.offset = law.offset;
   contact.rows.drift[2] += law.offset;
@@ -168,27 +157,25 @@ abut_status Simulation::bond(const abut_contact& record, const GeometryFacts& a,
 abut_status Simulation::collect(double dt, Pass& pass) {
   pass.contacts.clear();
   resting_.clear();
-  std::vector<abut_contact> found;
-  if (const abut_status status = source_->contacts(found); status != ABUT_OK) return status;
-  for (const abut_contact& record : found) {
-    if ((record.flags & ABUT_CONTACT_SENSOR) != 0) continue;
+  std::vector<Meeting> found;
+  if (const abut_status status = find_meetings(found); status != ABUT_OK) return status;
+  for (const Meeting& meeting : found) {
+    const abut_contact& record = meeting.record;
     StepContact contact;
     contact.record = record;
-    contact.point = scale(add(record.point_a, record.point_b), 0.5);
+    contact.point = meeting.point;
     GeometryFacts facts_a, facts_b;
-    Side side_a, side_b;
+    Sides sides;
     abut_status status = source_->facts(record.geometry_a, facts_a);
     if (status == ABUT_OK) status = source_->facts(record.geometry_b, facts_b);
-    if (status == ABUT_OK) status = read_side(facts_a, record.child_a, contact.point, pass, side_a);
-    if (status == ABUT_OK) status = read_side(facts_b, record.child_b, contact.point, pass, side_b);
+    if (status == ABUT_OK) status = hold_side(facts_a, meeting.a, -1, pass, sides);
+    if (status == ABUT_OK) status = hold_side(facts_b, meeting.b, 1, pass, sides);
     if (status != ABUT_OK) return status;
-    contact.a = side_a.body;
-    contact.b = side_b.body;
+    std::erase_if(sides.holders, [](const Holder& its) { return its.weight == 0; });
     const Pair pair(record.geometry_a, record.geometry_b);
-    if (contact.a == contact.b) {
-      if (contact.a == no_body) resting_.push_back(pair);
-      continue;
-    }
+    if (sides.holders.empty()) resting_.push_back(pair);
+    // A part does not push itself.
+    if (sides.holders.empty() || (facts_a.part.slot == facts_b.part.slot && !sides.has_particles)) continue;
     facts_a.material = record.material_a;
     facts_b.material = record.material_b;
     Terms terms;
@@ -196,7 +183,7 @@ abut_status Simulation::collect(double dt, Pass& pass) {
     status = read_terms(record, facts_a, facts_b, contact, terms, counts);
     if (status != ABUT_OK) return status;
     if (!counts) continue;
-    if (contact.response == Response::stick) {
+    if (contact.response == Response::stick && !sides.has_particles) {
       if (has_bond(pair)) continue;
       const bool is_released = std::ranges::any_of(released_, [&](const Pair& its) {
         return is_same(its.first, pair.first) && is_same(its.second, pair.second);
@@ -210,14 +197,12 @@ abut_status Simulation::collect(double dt, Pass& pass) {
     const KeptContact* const kept = find_kept(record);
     const double grip = kept != nullptr && kept->is_sticking ? terms.material.static_scale : 1;
     const double rubs = contact.response == Response::penalty ? 0 : grip;
-    contact.rows =
-        contact_rows({.a = contact.a,
-                      .b = contact.b,
-                      .arm_a = arm_of(contact.a, contact.point, pass),
-                      .arm_b = arm_of(contact.b, contact.point, pass),
-                      .axes = {record.tangent, cross(record.normal, record.tangent), record.normal},
-                      .frictions = {rubs * terms.material.friction_primary, rubs * terms.material.friction_secondary},
-                      .surface_velocity = subtract(side_b.velocity, side_a.velocity)});
+    const ContactPlace place{
+        .holders = std::move(sides.holders),
+        .axes = {record.tangent, cross(record.normal, record.tangent), record.normal},
+        .frictions = {rubs * terms.material.friction_primary, rubs * terms.material.friction_secondary},
+        .surface_velocity = sides.velocity};
+    contact.rows = contact_rows(place);
     contact.given = -dt * terms.material.adhesive_force;
     contact.is_solved = contact.response != Response::none;
     if (contact.response == Response::none) contact.given = 0;
@@ -227,7 +212,7 @@ abut_status Simulation::collect(double dt, Pass& pass) {
         contact.rows.drift[i] += contact.rows.scales[i] * dot(kept->creep, contact.rows.axes[i]) / dt;
     }
     if (contact.response == Response::custom) {
-      status = take_law(dt, pass, contact, counts);
+      status = take_law(dt, pass, place, contact, counts);
       if (status != ABUT_OK) return status;
       if (!counts) {
         contact.is_solved = false;
@@ -259,11 +244,10 @@ abut_status Simulation::collect_link(const Link& link, double dt, Pass& pass) co
   abut_vec3 point_a, point_b;
   abut_status status = place_of(link.a, point_a);
   if (status == ABUT_OK) status = place_of(link.b, point_b);
-  Side side_a, side_b;
-  if (status == ABUT_OK) status = read_side(link.a.part, point_a, pass, side_a);
-  if (status == ABUT_OK) status = read_side(link.b.part, point_b, pass, side_b);
-  if (status != ABUT_OK) return status;
-  if (side_a.body == side_b.body) return ABUT_OK;
+  Sides sides;
+  if (status == ABUT_OK) status = hold_part(link.a.part, point_a, -1, pass, sides);
+  if (status == ABUT_OK) status = hold_part(link.b.part, point_b, 1, pass, sides);
+  if (status != ABUT_OK || sides.holders.empty()) return status;
   StepContact contact;
   contact.link = link.number;
   contact.kind = link.kind;
@@ -273,16 +257,11 @@ abut_status Simulation::collect_link(const Link& link, double dt, Pass& pass) co
   contact.record.id = link.contact;
   contact.record.normal = link.normal;
   contact.record.distance = length(subtract(point_b, point_a));
-  contact.a = side_a.body;
-  contact.b = side_b.body;
   contact.point = scale(add(point_a, point_b), 0.5);
-  contact.rows = contact_rows({.a = contact.a,
-                               .b = contact.b,
-                               .arm_a = arm_of(contact.a, point_a, pass),
-                               .arm_b = arm_of(contact.b, point_b, pass),
+  contact.rows = contact_rows({.holders = std::move(sides.holders),
                                .axes = {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}},
                                .frictions = {1, 1},
-                               .surface_velocity = subtract(side_b.velocity, side_a.velocity)});
+                               .surface_velocity = sides.velocity});
   contact.rows.law = Law::hold;
   contact.rows.friction = 0;
   contact.rows.most = link.most_force > 0 ? link.most_force * dt : std::numeric_limits<double>::infinity();

@@ -51,21 +51,18 @@ void change(Motion& its, const Row& impulse) {
 
 // The impulse along the normal that no solver looks for.
 void give(const StepContact& contact, std::vector<Motion>& motions) {
-  const auto push = [&](std::uint32_t side, const Row& normal) {
-    if (side == no_body) return;
-    Row impulse = normal;
+  for (const BodyRows& its : contact.rows.bodies) {
+    Row impulse = its.rows[2];
     for (double& number : impulse) number *= contact.given;
-    change(motions[side], impulse);
-  };
-  push(contact.a, contact.rows.of_a[2]);
-  push(contact.b, contact.rows.of_b[2]);
+    change(motions[its.body], impulse);
+  }
 }
 
 }  // namespace
 
 // All bodies that touch or are linked go by the greatest integrator among them.
 void Simulation::choose_integrators(Pass& pass) const {
-  const std::vector<Island> groups = islands_of(pass.motions.size(), sides_of(pass.contacts));
+  const std::vector<Island> groups = islands_of(pass.motions.size(), joined_by(pass.contacts));
   for (const Island& group : groups) {
     abut_integrator greatest = ABUT_INTEGRATOR_STATIC;
     for (const std::uint32_t body : group.bodies) greatest = std::max(greatest, pass.motions[body].integrator);
@@ -149,7 +146,7 @@ abut_status Simulation::add_forces(double dt, Pass& pass) const {
   for (std::size_t i = 0; i < before.size(); ++i) before[i] = row_of(pass.motions[i].linear, pass.motions[i].angular);
   for (StepContact& contact : pass.contacts) {
     if (contact.link != 0 || contact.response == Response::custom || !contact.is_solved) continue;
-    const Motion& its = pass.motions[contact.a != no_body ? contact.a : contact.b];
+    const Motion& its = pass.motions[contact.rows.bodies.front().body];
     const double speed = relative_velocity(contact.rows, before)[2];
     Yield yield = yield_of(contact, dt);
     if (contact.compliance > 0 && its.integrator < ABUT_INTEGRATOR_MIDPOINT) {

@@ -34,6 +34,8 @@ abut_status Simulation::set_particles(Grains particles) {
   grains_.reserve(grains_.size() + 1);
   const abut_status status = source_->move_particles(particles.geometry, particles.xyz);
   if (status != ABUT_OK) return status;
+  static_cast<void>(remove_surface(particles.geometry));
+  remove_surfaces_on(particles.geometry);
   const auto old =
       std::ranges::find_if(grains_, [&](const Grains& its) { return is_same(its.geometry, particles.geometry); });
   if (old != grains_.end()) {
@@ -45,7 +47,9 @@ abut_status Simulation::set_particles(Grains particles) {
 }
 
 bool Simulation::remove_particles(abut_geometry_id geometry) {
-  return std::erase_if(grains_, [&](const Grains& its) { return is_same(its.geometry, geometry); }) > 0;
+  remove_surfaces_on(geometry);
+  const bool was_surface = remove_surface(geometry);
+  return std::erase_if(grains_, [&](const Grains& its) { return is_same(its.geometry, geometry); }) > 0 || was_surface;
 }
 
 const Grains* Simulation::particles_of(abut_geometry_id geometry) const {
@@ -71,24 +75,6 @@ void Simulation::read_particles(Pass& pass) const {
   }
 }
 
-abut_status Simulation::read_side(const GeometryFacts& facts, std::uint32_t child, const abut_vec3& point,
-                                  const Pass& pass, Side& out) const {
-  std::size_t first = bodies_.size();
-  for (const Grains& particles : grains_) {
-    if (is_same(particles.geometry, facts.geometry)) {
-      if (child >= particles.masses.size() || !(particles.masses[child] > 0)) return ABUT_OK;
-      out.body = static_cast<std::uint32_t>(first + child);
-      return ABUT_OK;
-    }
-    first += particles.masses.size();
-  }
-  return read_side(facts.part, point, pass, out);
-}
-
-abut_vec3 Simulation::arm_of(std::uint32_t body, const abut_vec3& point, const Pass& pass) const {
-  return body < bodies_.size() ? subtract(point, pass.motions[body].centre) : abut_vec3{};
-}
-
 abut_status Simulation::write_particles(double dt, const Pass& pass) {
   std::size_t place = bodies_.size();
   for (Grains& particles : grains_) {
@@ -106,6 +92,10 @@ abut_status Simulation::write_particles(double dt, const Pass& pass) {
       if (pass.motions[place + i].is_awake) set_vector_at(particles.velocities, i, pass.motions[place + i].linear);
     }
     place += particles.masses.size();
+  }
+  for (const Surface& its : surfaces_) {
+    if (const abut_status status = source_->move_particles(its.geometry, places_of(its)); status != ABUT_OK)
+      return status;
   }
   return ABUT_OK;
 }

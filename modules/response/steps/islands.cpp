@@ -22,25 +22,23 @@ module abut.response;
 
 namespace abut::response {
 
-std::vector<std::pair<std::uint32_t, std::uint32_t>> sides_of(const std::vector<StepContact>& contacts) {
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> sides;
-  sides.reserve(contacts.size());
+std::vector<std::vector<std::uint32_t>> joined_by(const std::vector<StepContact>& contacts) {
+  std::vector<std::vector<std::uint32_t>> out;
+  out.reserve(contacts.size());
   for (const StepContact& contact : contacts) {
-    const bool joins = contact.is_solved || contact.given != 0;
-    const std::uint32_t other = joins ? contact.b : no_body;
-    sides.emplace_back(contact.a == no_body ? contact.b : contact.a, contact.a == no_body ? no_body : other);
+    std::vector<std::uint32_t>& bodies = out.emplace_back();
+    for (const BodyRows& its : contact.rows.bodies) bodies.push_back(its.body);
+    if (!contact.is_solved && contact.given == 0) bodies.resize(1);
   }
-  return sides;
+  return out;
 }
 
 namespace {
 
 // Numbers of bodies within the island.
 void renumber(ContactRows& rows, const Island& island) {
-  for (std::uint32_t* const side : {&rows.a, &rows.b}) {
-    if (*side == no_body) continue;
-    *side = static_cast<std::uint32_t>(std::ranges::lower_bound(island.bodies, *side) - island.bodies.begin());
-  }
+  for (BodyRows& its : rows.bodies)
+    its.body = static_cast<std::uint32_t>(std::ranges::lower_bound(island.bodies, its.body) - island.bodies.begin());
 }
 
 }  // namespace
@@ -115,10 +113,8 @@ bool Simulation::solve_island(const Island& island, std::span<const std::uint32_
     contact.velocity[2] -= problem.contacts[k].drift[2] - contact.rows.drift[2] + contact.rows.offset;
     contact.gap = contact.record.distance + ahead * contact.velocity[2];
     if (!pushes(contact.impulse)) continue;
-    for (const std::uint32_t side : {contact.a, contact.b}) {
-      if (side == no_body) continue;
-      motions[side].is_pushed = motions[side].is_pushed || !contact.is_middle;
-    }
+    for (const BodyRows& its : contact.rows.bodies)
+      motions[its.body].is_pushed = motions[its.body].is_pushed || !contact.is_middle;
   }
   return move_apart(island, solved_contacts, problem, pass);
 }
@@ -161,27 +157,24 @@ bool Simulation::move_apart(const Island& island, const std::vector<std::uint32_
 }
 
 bool Simulation::solve_islands(double ahead, Pass& pass) const {
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> sides = sides_of(pass.contacts);
-  const auto first_element = static_cast<std::uint32_t>(sides.size());
-  // Of each element the first node that moves, with each of the others.
-  std::vector<std::uint32_t> element_of;
+  std::vector<std::vector<std::uint32_t>> joined = joined_by(pass.contacts);
+  const auto first_element = static_cast<std::uint32_t>(joined.size());
+  // Elements that have a node which moves.
+  std::vector<std::uint32_t> moving_elements;
   for (std::uint32_t k = 0; k < pass.elements.size(); ++k) {
     std::vector<std::uint32_t> moving(pass.elements[k].nodes.begin(),
                                       pass.elements[k].nodes.begin() + pass.elements[k].count);
     std::erase_if(moving, [&](std::uint32_t node) { return !pass.motions[node].is_awake; });
-    for (std::size_t i = moving.size() == 1 ? 0 : 1; i < moving.size(); ++i) {
-      sides.emplace_back(moving[0], i == 0 ? no_body : moving[i]);
-      element_of.push_back(k);
-    }
+    if (moving.empty()) continue;
+    joined.push_back(std::move(moving));
+    moving_elements.push_back(k);
   }
-  std::vector<Island> islands = islands_of(pass.motions.size(), sides);
+  std::vector<Island> islands = islands_of(pass.motions.size(), joined);
   std::erase_if(islands, [](const Island& island) { return island.contacts.empty(); });
   std::vector<std::vector<std::uint32_t>> elements(islands.size());
   for (std::size_t i = 0; i < islands.size(); ++i) {
     for (const std::uint32_t k : islands[i].contacts) {
-      if (k < first_element) continue;
-      const std::uint32_t element = element_of[k - first_element];
-      if (elements[i].empty() || elements[i].back() != element) elements[i].push_back(element);
+      if (k >= first_element) elements[i].push_back(moving_elements[k - first_element]);
     }
     std::erase_if(islands[i].contacts, [&](std::uint32_t k) { return k >= first_element; });
   }

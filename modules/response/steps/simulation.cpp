@@ -132,6 +132,8 @@ abut_status Simulation::write(double dt, const Pass& pass) {
 abut_status Simulation::step(double dt) {
   std::erase_if(bodies_, [&](const Body& body) { return !source_->has(body.part); });
   std::erase_if(grains_, [&](const Grains& its) { return !source_->has(its.geometry); });
+  std::erase_if(surfaces_,
+                [&](const Surface& its) { return !source_->has(its.geometry) || !source_->has(its.carrier); });
   const auto has_ended = [&](const Anchor& anchor) { return anchor.part.slot != 0 && !source_->has(anchor.part); };
   std::erase_if(links_, [&](const Link& link) { return has_ended(link.a) || has_ended(link.b); });
   return (options_.flags & ABUT_RESPONSE_IMPACTS) != 0 ? step_by_impacts(dt) : step_at_once(dt);

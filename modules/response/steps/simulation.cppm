@@ -8,6 +8,7 @@ module;
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <span>
@@ -47,7 +48,6 @@ struct KeptContact {
 // A contact or a link while a step runs.
 struct StepContact {
   abut_contact record{};
-  std::uint32_t a = no_body, b = no_body;
   std::uint32_t kind = 0;
   Response response = Response::friction;
   bool is_solved = true;   // by the solver; else it has the given impulse
@@ -100,8 +100,29 @@ struct Yield {
   double compliance, offset;
 };
 [[nodiscard]] Yield yield_of(const StepContact& contact, double dt);
-// For islands; contacts that do nothing join nobody.
-[[nodiscard]] std::vector<std::pair<std::uint32_t, std::uint32_t>> sides_of(const std::vector<StepContact>& contacts);
+// For islands: the bodies of each contact, of which those that do nothing join nobody.
+[[nodiscard]] std::vector<std::vector<std::uint32_t>> joined_by(const std::vector<StepContact>& contacts);
+
+// Where a contact touches a geometry: a point, and the vertices or the particle that make it by weights with the sum 1.
+struct Spot {
+  static constexpr std::size_t most = 4;  // vertices of a stencil
+
+  abut_vec3 point{};
+  bool is_bent = false;   // whether particles move the mesh that it is of
+  std::size_t count = 0;  // 0 where no particles hold it
+  std::array<std::uint32_t, most> vertices{};
+  std::array<double, most> weights{};
+};
+
+// A contact of the world, or a stencil of elements in the shape of one.
+struct Meeting {
+  abut_contact record{};
+  abut_vec3 point{};  // at which both sides are pushed
+  Spot a, b;
+};
+
+// By slot and generation of geometries.
+using Skins = std::map<std::pair<std::uint32_t, std::uint32_t>, Skin>;
 
 // A spring or a tetrahedron while a step runs: which one of which particles, and the motions of its nodes.
 struct StepElement {
@@ -155,7 +176,10 @@ class Simulation {
 
   // In the place of those that the geometry has.
   [[nodiscard]] abut_status set_particles(Grains particles);
+  // Whether the geometry had particles, or followed some.
   [[nodiscard]] bool remove_particles(abut_geometry_id geometry);
+  // In the place of what the mesh has followed. Its carrier has particles, and as many as it needs.
+  [[nodiscard]] abut_status set_surface(Surface surface);
   // Behind those that there are.
   void add_springs(abut_geometry_id geometry, std::span<const Spring> springs);
   void add_tetrahedra(abut_geometry_id geometry, std::span<const Tetrahedron> tetrahedra);
@@ -211,14 +235,29 @@ class Simulation {
   // Contacts and links now, and how bodies move.
   [[nodiscard]] abut_status look(double dt, Pass& pass);
   [[nodiscard]] abut_status collect(double dt, Pass& pass);
-  // Where a side of a contact or a link is held, and how its point moves where no body does.
-  struct Side {
-    std::uint32_t body = no_body;
+  // What moves the points of both sides of a contact or a link, and how b moves against a where no body does.
+  struct Sides {
+    std::vector<Holder> holders;
     abut_vec3 velocity{};
+    bool has_particles = false;
   };
-  [[nodiscard]] abut_status read_side(abut_part_id part, const abut_vec3& point, const Pass& pass, Side& out) const;
-  [[nodiscard]] abut_status read_side(const GeometryFacts& facts, std::uint32_t child, const abut_vec3& point,
-                                      const Pass& pass, Side& out) const;
+  // `sign` is -1 for a and 1 for b.
+  [[nodiscard]] abut_status hold_part(abut_part_id part, const abut_vec3& point, double sign, const Pass& pass,
+                                      Sides& out) const;
+  [[nodiscard]] abut_status hold_side(const GeometryFacts& facts, const Spot& spot, double sign, const Pass& pass,
+                                      Sides& out) const;
+  void hold_vertex(abut_geometry_id geometry, std::uint32_t vertex, double weight, std::vector<Holder>& holders) const;
+  [[nodiscard]] bool follows_particles(abut_geometry_id geometry) const;
+  [[nodiscard]] const Surface* surface_of(abut_geometry_id geometry) const;
+  [[nodiscard]] std::vector<double> places_of(const Surface& surface) const;
+  bool remove_surface(abut_geometry_id geometry);
+  void remove_surfaces_on(abut_geometry_id carrier);
+  [[nodiscard]] abut_status find_meetings(std::vector<Meeting>& out) const;
+  [[nodiscard]] abut_status add_meeting(const abut_element_contact& element, Skins& skins,
+                                        std::vector<Meeting>& out) const;
+  [[nodiscard]] abut_status find_spot(abut_geometry_id geometry, const abut_feature& feature, std::uint32_t child,
+                                      const abut_vec3& point, Skins& skins, Spot& out) const;
+  [[nodiscard]] abut_status skin_of(abut_geometry_id geometry, Skins& skins, const Skin*& out) const;
   void read_particles(Pass& pass) const;
   void read_elements(std::size_t first, std::uint32_t grains, Pass& pass) const;
   [[nodiscard]] ElasticForce force_of_element(const StepElement& element, const std::array<abut_vec3, 4>& places) const;
@@ -231,11 +270,10 @@ class Simulation {
                                                  double dt, const Pass& pass, const SolverOptions& options,
                                                  Problem& problem, Solution& solution) const;
   [[nodiscard]] abut_status write_particles(double dt, const Pass& pass);
-  // From its centre of mass to a point; particles do not turn.
-  [[nodiscard]] abut_vec3 arm_of(std::uint32_t body, const abut_vec3& point, const Pass& pass) const;
   [[nodiscard]] abut_status read_terms(const abut_contact& record, const GeometryFacts& a, const GeometryFacts& b,
                                        StepContact& contact, Terms& terms, bool& counts) const;
-  [[nodiscard]] abut_status take_law(double dt, const Pass& pass, StepContact& contact, bool& counts) const;
+  [[nodiscard]] abut_status take_law(double dt, const Pass& pass, ContactPlace place, StepContact& contact,
+                                     bool& counts) const;
   [[nodiscard]] abut_status bond(const abut_contact& record, const GeometryFacts& a, const GeometryFacts& b,
                                  const Terms& terms, std::uint32_t kind, Pass& pass) const;
   [[nodiscard]] abut_status collect_link(const Link& link, double dt, Pass& pass) const;
@@ -284,6 +322,7 @@ class Simulation {
   double time_ = 0;
   std::vector<Body> bodies_;  // in the order of their parts
   std::vector<Grains> grains_;
+  std::vector<Surface> surfaces_;  // on these
   std::vector<KeptContact> kept_;  // in their order
   std::vector<Link> links_;        // in the order of their numbers
   std::uint64_t next_link_ = 1;

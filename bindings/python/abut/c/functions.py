@@ -347,6 +347,8 @@ RESPONSE_FUNCTIONS = {
     "abut_elastic_options_init": (None, [POINTER(ElasticOptions), c_uint32]),
     "abut_response_add_tetrahedra": (Status, [c_void_p, GeometryId, POINTER(c_uint32), c_size_t,
         POINTER(ElasticOptions)]),
+    "abut_response_map_vertices": (Status, [c_void_p, GeometryId, GeometryId, POINTER(c_uint32), POINTER(c_double),
+        c_size_t]),
     "abut_response_remove_particles": (Status, [c_void_p, GeometryId]),
     "abut_response_particles": (Status, [c_void_p, GeometryId, POINTER(POINTER(c_double)), POINTER(POINTER(c_double)),
         POINTER(c_size_t)]),
