@@ -21,6 +21,8 @@ FOREIGN = '''module;
 # rule: (path, bad snippet, good snippet)
 SNIPPETS = {
     "raw_memory": [
+        ("capi/a.cpp", "memcpy(a, b, 8);", "copy(a, b);"),
+        ("tests/capi/a.cpp", "memcpy(a, b, 8);", "copy(a, b);"),
         (MODULE, "void f() { std::memcpy(a, b, n); }", "void f() { std::ranges::copy(a, b); } // memcpy(a, b, n)"),
         (MODULE, "auto n = strlen(p);", 'auto n = s.size(); log("strlen(p)");'),
     ],
@@ -209,6 +211,7 @@ TREES = {
         ({**BOX, "modules/universe/a.cppm": "class Box;\nBox b;"}, {**BOX, "modules/universe/a.cppm": "class alignas(8) Box {};\nBox b;"}),
         ({**BOX, "modules/universe/a.cppm": "import abut.shapes.box;"}, {**BOX, "modules/universe/a.cppm": "import abut.capability;"}),
         ({**BOX, "capi/a.cpp": 'kind("box");'}, {**BOX, "capi/shapes/shape.cpp": 'kind("box");'}),
+        ({**BOX, "modules/universe/a.cpp": 'kind("box");'}, {**BOX, "modules/response/a.cpp": 'kind("box");'}),
         ({**BOX, "modules/shapes/ball.cppm": "Box b;"}, {**BOX, "modules/shapes/box/faces.cppm": "Box b;"}),
     ],
     "header": [

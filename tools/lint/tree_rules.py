@@ -14,8 +14,10 @@ PROTOTYPE = r"\bABUT_API\b[^;{}()]*?\b(abut_\w+)\s*\("
 
 # Two surfaces that move are asked for each triangle, and programs in C++ may use any shape.
 MAY_SEE_SHAPES = ("modules/shapes", "modules/pairs", "modules/motion/impacts/moving_surfaces.cpp", "modules/abut.cppm.in")
-# Besides the shape's own file, which is checked by name: the typed shorthands of the C interface may name shapes.
-MAY_NAME_SHAPES = ("capi/shapes/shape.cpp", "capi/shapes/shape_simple.cpp", "capi/shapes/shape_particles.cpp", "capi/absent.cpp")
+# Besides the shape's own file, which is checked by name: the typed shorthands of the C interface may name shapes, and so may
+# libraries of their own, which ask through the C interface what a kind is.
+EXTENSIONS = ("modules/picking", "modules/response", "capi/picking", "capi/response")
+MAY_NAME_SHAPES = (*EXTENSIONS, "capi/shapes/shape.cpp", "capi/shapes/shape_simple.cpp", "capi/shapes/shape_particles.cpp", "capi/absent.cpp")
 
 # Files of a folder of modules.
 MOST_FILES = 14
