@@ -39,7 +39,9 @@ def joint_angles(first, count):
 def link_matrices(angles):
     """Where the links are, as (N, 4, 4) matrices of each."""
     place, found = numpy.broadcast_to(numpy.eye(4), (len(angles), 4, 4)), []
-    for angle, axis, (_, length) in zip(angles.T, AXES, LINKS):
+    # In a row each: NumPy may take another cosine, of other last digits, for numbers that lie apart in memory.
+    rows = numpy.ascontiguousarray(angles.T)
+    for angle, axis, (_, length) in zip(rows, AXES, LINKS):
         turn = numpy.tile(numpy.eye(4), (len(angles), 1, 1))
         i, j = {"y": (2, 0), "z": (0, 1)}[axis]
         turn[:, i, i] = turn[:, j, j] = numpy.cos(angle)
