@@ -354,6 +354,12 @@ abut_status refuse_kind(std::string_view name) {
 [[gnu::weak]] abut_status abut_material_pair_get(const abut_universe *, uint32_t, uint32_t, abut_contact_material *) {
   return refuse_absent({"universe"});
 }
+[[gnu::weak]] abut_status abut_backend_set(abut_universe *, abut_backend_accepts, abut_backend_find, void *) {
+  return refuse_absent({"universe"});
+}
+[[gnu::weak]] abut_status abut_backend_answer(abut_universe *, size_t, const abut_backend_contact *, size_t) {
+  return refuse_absent({"universe"});
+}
 [[gnu::weak]] abut_status abut_universe_step(abut_universe *, double) {
   return refuse_absent({"universe"});
 }

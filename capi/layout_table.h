@@ -344,6 +344,23 @@
   FIELD(abut_contact_material, restitution, 72, 8) \
   FIELD(abut_contact_material, restitution_threshold, 80, 8) \
   FIELD(abut_contact_material, adhesive_force, 88, 8) \
+  TYPE(abut_backend_pair, 152) \
+  FIELD(abut_backend_pair, geometry_a, 0, 8) \
+  FIELD(abut_backend_pair, geometry_b, 8, 8) \
+  FIELD(abut_backend_pair, shape_a, 16, 8) \
+  FIELD(abut_backend_pair, shape_b, 24, 8) \
+  FIELD(abut_backend_pair, pose_a, 32, 56) \
+  FIELD(abut_backend_pair, pose_b, 88, 56) \
+  FIELD(abut_backend_pair, margin, 144, 8) \
+  TYPE(abut_backend_contact, 104) \
+  FIELD(abut_backend_contact, point_a, 0, 24) \
+  FIELD(abut_backend_contact, point_b, 24, 24) \
+  FIELD(abut_backend_contact, normal, 48, 24) \
+  FIELD(abut_backend_contact, feature_a, 72, 8) \
+  FIELD(abut_backend_contact, feature_b, 80, 8) \
+  FIELD(abut_backend_contact, child_a, 88, 4) \
+  FIELD(abut_backend_contact, child_b, 92, 4) \
+  FIELD(abut_backend_contact, id, 96, 8) \
   TYPE(abut_event, 40) \
   FIELD(abut_event, kind, 0, 4) \
   FIELD(abut_event, flags, 4, 4) \

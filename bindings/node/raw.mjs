@@ -97,6 +97,10 @@ const contactMaterial = koffi.struct('abut_contact_material', { structSize: 'uin
   frictionPrimary: 'double', frictionSecondary: 'double', frictionSpin: 'double', frictionRoll: 'double',
   staticScale: 'double', slip: 'double', compliance: 'double', damping: 'double', restitution: 'double',
   restitutionThreshold: 'double', adhesiveForce: 'double' });
+const backendPair = koffi.struct('abut_backend_pair', { geometryA: geometryId, geometryB: geometryId, shapeA: 'void *',
+  shapeB: 'void *', poseA: pose, poseB: pose, margin: 'double' });
+const backendContact = koffi.struct('abut_backend_contact', { pointA: vector, pointB: vector, normal: vector,
+  featureA: feature, featureB: feature, childA: 'uint32_t', childB: 'uint32_t', id: 'uint64_t' });
 const event = koffi.struct('abut_event', { kind: 'uint32_t', flags: 'uint32_t', geometryA: geometryId,
   geometryB: geometryId, contactId: 'uint64_t', firstContact: 'uint32_t', contactCount: 'uint32_t' });
 const sleepChange = koffi.struct('abut_sleep_change', { part: partId, isAsleep: 'uint32_t', reserved: 'uint32_t' });
@@ -183,11 +187,11 @@ export const structs = { vector, quaternion, pose, aabb, partId, geometryId, fea
   meshReport, uvGridOptions, heightFieldDesc, distanceFieldDesc, distanceFieldOptions, distanceFieldReport,
   compositeChild, shapeDesc, ray, rayHit, queryOptions, route, distance, contact, pairMemory, firstTouch, elementCounts,
   elementsOptions, stencil, elementPair, crossing, movement, impactOptions, impact, universeOptions, partOptions, sleep,
-  geometryOptions, geometryInfo, revision, collidable, policy, focus, contactMaterial, event, sleepChange, localPoints,
-  stepStats, finding, island, velocity, acceleration, stepImpact, elementContact, queryFilter, hit, castHit, impactHit,
-  closest, layoutEntry, pick, camera, clipPlane, snap, barycentric, contactProblem, solverOptions, residuals,
-  massProperties, responseOptions, bodyOptions, elasticOptions, contactLaw, responseSide, linkOptions, responseContact,
-  responseObject, responseIsland, energy, responseFinding };
+  geometryOptions, geometryInfo, revision, collidable, policy, focus, contactMaterial, backendPair, backendContact,
+  event, sleepChange, localPoints, stepStats, finding, island, velocity, acceleration, stepImpact, elementContact,
+  queryFilter, hit, castHit, impactHit, closest, layoutEntry, pick, camera, clipPlane, snap, barycentric,
+  contactProblem, solverOptions, residuals, massProperties, responseOptions, bodyOptions, elasticOptions, contactLaw,
+  responseSide, linkOptions, responseContact, responseObject, responseIsland, energy, responseFinding };
 
 export const callbacks = {
   log: koffi.pointer(koffi.proto('void abut_log(void *context, uint32_t level, void *message)')),
@@ -195,6 +199,8 @@ export const callbacks = {
   release: koffi.pointer(koffi.proto('void abut_release(void *context, void *memory, size_t size, size_t alignment)')),
   filter: koffi.pointer(koffi.proto('uint32_t abut_filter(void *context, void *universe, abut_geometry_id geometry_a, abut_geometry_id geometry_b)')),
   pointerFilter: koffi.pointer(koffi.proto('uint32_t abut_pointer_filter(void *context, void *universe, void *geometry_a, void *geometry_b)')),
+  backendAccepts: koffi.pointer(koffi.proto('uint32_t abut_backend_accepts(void *context, uint32_t kind_a, uint32_t kind_b)')),
+  backendFind: koffi.pointer(koffi.proto('void abut_backend_find(void *context, void *universe, void *pairs, size_t count)')),
   forceCallback: koffi.pointer(koffi.proto('void abut_force_callback(void *context, abut_part_id part, void *pose, void *velocity, double time, void *force, void *torque)')),
   contactCallback: koffi.pointer(koffi.proto('uint32_t abut_contact_callback(void *context, void *contact, void *material)')),
   contactLawCallback: koffi.pointer(koffi.proto('uint32_t abut_contact_law_callback(void *context, void *contact, void *velocity, double dt, void *law)')),
@@ -374,6 +380,8 @@ export const prototypes = {
     'void abut_contact_material_init(_Out_ abut_contact_material *material, uint32_t struct_size)',
     'int32_t abut_material_pair_set(abut_universe *universe, uint32_t material_a, uint32_t material_b, const abut_contact_material *row)',
     'int32_t abut_material_pair_get(abut_universe *universe, uint32_t material_a, uint32_t material_b, _Inout_ abut_contact_material *out)',
+    'int32_t abut_backend_set(abut_universe *universe, abut_backend_accepts *accepts, abut_backend_find *find, void *context)',
+    'int32_t abut_backend_answer(abut_universe *universe, size_t pair, const abut_backend_contact *contacts, size_t count)',
     'int32_t abut_universe_step(abut_universe *universe, double dt)',
     'int32_t abut_universe_detect_all(abut_universe *universe)',
     'int32_t abut_universe_detect_changed(abut_universe *universe)',

@@ -10,6 +10,7 @@
 #include "guard.hpp"
 #include "shapes/shape_handle.hpp"
 
+import abut.capability;
 import abut.core;
 import abut.math;
 import abut.universe;
@@ -64,6 +65,9 @@ struct abut_universe {
   // Of the focus that was set last. Stays from call to call, so that centres may move in each step without an
   // allocation.
   std::vector<abut::Vec3> centres;
+  // Of the back end: what it is asked, and its present answer. They stay from step to step as well.
+  std::vector<abut_backend_pair> backend_pairs;
+  std::vector<abut::ContactPoint> backend_contacts;
   // Of the last step.
   abut::capi::Lent<abut_contact> contacts;
   abut::capi::Lent<abut_local_points> local_points;

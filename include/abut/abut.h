@@ -45,6 +45,7 @@
  *        abut_geometry_next_vertices, abut_geometry_advance
  *      - who meets whom: abut_rule_set, abut_universe_set_filter
  *      - how: abut_policy_set, abut_universe_set_focus, abut_material_pair_set
+ *      - detectors of your own: abut_backend_set, abut_backend_answer
  *      - steps: abut_universe_step, abut_universe_detect_all, abut_universe_refresh
  *      - answers: abut_universe_events, abut_universe_contacts, abut_universe_stats, abut_universe_hash
  *      - explanations: abut_universe_explain, abut_universe_why_apart, abut_universe_validate
@@ -1490,7 +1491,7 @@ ABUT_API void abut_universe_destroy(abut_universe *universe);
  *  - options, parts, geometries and shapes, rules, policies, materials, the focus;
  *  - what steps keep: contacts with ages and values of yours, events, islands, sleep, velocities;
  *  - changes that no step has seen yet.
- * The filter and its context, statistics and attached extension libraries are not.
+ * The filter, the back end and their contexts, statistics and attached extension libraries are not.
  * The bytes are the same on every machine. They begin with a mark, a version and a checksum.
  * ABUT_BUSY from a callback. Complexity O(everything). [const]
  * @param bytes     capacity bytes; null with capacity 0 asks for the size
@@ -1503,6 +1504,7 @@ ABUT_API abut_status abut_universe_save(const abut_universe *universe, void *byt
  *  - All ids name what they named there, new ones are those that the other universe would give out next, and steps give
  *    the same bits. Shapes that were shared are shared.
  *  - A filter has to be set again; all pairs are then asked about. Until then its answers stay.
+ *  - A back end has to be set again. Until then abut answers its pairs.
  *  - Numbers of threads are as they were.
  * ABUT_UNSUPPORTED for bytes of another version of their format, or with kinds of shape that this build has not.
  * ABUT_INVALID_ARGUMENT, or the status that a call with the same value would have, for bytes that are cut off, changed,
@@ -2173,6 +2175,70 @@ ABUT_API abut_status abut_material_pair_set(abut_universe *universe, uint32_t ma
  */
 ABUT_API abut_status abut_material_pair_get(const abut_universe *universe, uint32_t material_a, uint32_t material_b,
                                             abut_contact_material *out);
+
+/**
+ * A pair of geometries that a back end is asked about: a detector of the caller, which answers in place of the narrow
+ * phase of abut. Both shapes are borrowed for the call.
+ */
+typedef struct abut_backend_pair {
+  abut_geometry_id geometry_a; /**< that of the lower slot */
+  abut_geometry_id geometry_b;
+  const abut_shape *shape_a;
+  const abut_shape *shape_b;
+  abut_pose pose_a;            /**< from the frame of the shape to the world */
+  abut_pose pose_b;
+  double margin;               /**< contacts with a distance below it are reported; at 0 those with a distance of at
+                                    most 0. Negative in a dead band */
+} abut_backend_pair;
+
+/**
+ * Whether a back end answers pairs of two kinds of shapes: 0 for no. abut_backend_set calls it once for each two kinds,
+ * in either order of the two, and nothing else does. It must not throw.
+ */
+typedef uint32_t (*abut_backend_accepts)(void *context, abut_shape_kind kind_a, abut_shape_kind kind_b);
+
+/**
+ * Answers pairs, each by one call of abut_backend_answer. A detection calls it at most once, on the thread that steps,
+ * with all pairs that it examines and that the back end accepts. Pairs come in the order of the slots. A pair without
+ * an answer is answered by abut, as without a back end. It may make [const] calls on the universe. It must not throw:
+ * what gets out of it makes the step answer ABUT_INTERNAL.
+ */
+typedef void (*abut_backend_find)(void *context, abut_universe *universe, const abut_backend_pair *pairs, size_t count);
+
+/**
+ * Sets the back end of a universe: two functions, and a context that is kept and handed to both. `find` is null for
+ * none. `accepts` is null for all kinds. All pairs are found anew at the next step, and the filter is asked again.
+ * Not asked about: pairs that abut does not support, and pairs of a geometry with itself. Nor about those with
+ * ABUT_DETAIL_ELEMENTS, ABUT_DETAIL_BOX or ABUT_GEOMETRY_KEEPS_SIDE, and what fast and speculative geometries touch on
+ * their way. Queries are answered by abut.
+ * Complexity O(kinds * kinds), and the next step looks at every pair. [exclusive]
+ */
+ABUT_API abut_status abut_backend_set(abut_universe *universe, abut_backend_accepts accepts, abut_backend_find find,
+                                      void *context);
+
+/** A contact that a back end has found. Its distance is dot(point_b - point_a, normal). */
+typedef struct abut_backend_contact {
+  abut_vec3 point_a;       /**< on the surface of a, world frame */
+  abut_vec3 point_b;       /**< on the surface of b, world frame */
+  abut_vec3 normal;        /**< from a to b; its length is off 1 by at most 1e-3, and then made 1 */
+  abut_feature feature_a;  /**< what touches */
+  abut_feature feature_b;
+  uint32_t child_a;        /**< as in abut_contact */
+  uint32_t child_b;
+  uint64_t id;             /**< tells the contact apart from step to step; 0 for one that is made of the features */
+} abut_backend_contact;
+
+/**
+ * Answers a pair, from within abut_backend_find alone. No contacts are the answer that the two do not touch. Contacts
+ * that the margin leaves out are dropped, and what options and policies say of reduction applies. Of equal ids in one
+ * answer all but the first become other ones.
+ * @param pair      the place of the pair among those of the call; each is answered once
+ * @param contacts  count contacts
+ * ABUT_BUSY outside of such a call. ABUT_INDEX_OUT_OF_RANGE for a pair past the last one. ABUT_INVALID_ARGUMENT for a
+ * pair that has its answer. After an error the pair is as before. [exclusive]
+ */
+ABUT_API abut_status abut_backend_answer(abut_universe *universe, size_t pair, const abut_backend_contact *contacts,
+                                         size_t count);
 
 /**
  * Detects over [t, t + dt]; moves nothing. Contacts are those of the present poses, but in pairs with

@@ -25,6 +25,10 @@ std::string line_of(const Plan::KindPair& its) {
          std::string(its.reason) + ")\n";
 }
 
+std::string line_of(const Plan::BackendCounts& counts) {
+  return "back end: " + count_of(counts.asked, "pair") + " asked, " + to_text(counts.answered) + " answered\n";
+}
+
 std::string line_of(const Plan::FocusCounts& counts) {
   const Focus& focus = counts.focus;
   return "focus: " + count_of(counts.centres, "centre") + "; " + count_of(counts.near, "geometry") + " near (tag " +
@@ -57,9 +61,9 @@ std::string line_of(std::span<const Plan::Extension> extensions) {
 
 // What is only there when the scene uses it.
 std::string lines_of_extras(const Plan& plan) {
-  return (plan.focus ? line_of(*plan.focus) : "") + (plan.islands ? line_of(*plan.islands) : "") +
-         (plan.velocities ? line_of(*plan.velocities) : "") + (plan.paths ? line_of(*plan.paths) : "") +
-         line_of(plan.extensions);
+  return (plan.backend ? line_of(*plan.backend) : "") + (plan.focus ? line_of(*plan.focus) : "") +
+         (plan.islands ? line_of(*plan.islands) : "") + (plan.velocities ? line_of(*plan.velocities) : "") +
+         (plan.paths ? line_of(*plan.paths) : "") + line_of(plan.extensions);
 }
 
 }  // namespace

@@ -42,6 +42,10 @@ struct [[gsl::Pointer]] Plan {
   struct PathCounts {
     std::uint64_t fast, speculative, pairs, impacts;
   };
+  // Pairs that a detector of the caller was asked about, and those that it answered.
+  struct BackendCounts {
+    std::uint64_t asked, answered;
+  };
 
   StepStats stats;
   std::string_view broadphase, broadphase_reason;
@@ -51,6 +55,7 @@ struct [[gsl::Pointer]] Plan {
   std::vector<Stage> stages;
   std::vector<KindPair> kinds;
   std::vector<LeftOut> left_out;
+  std::optional<BackendCounts> backend = std::nullopt;
   std::optional<FocusCounts> focus = std::nullopt;
   std::optional<IslandCounts> islands = std::nullopt;
   std::optional<VelocityCounts> velocities = std::nullopt;

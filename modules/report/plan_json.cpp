@@ -34,6 +34,14 @@ void write_counts(Json& json, const StepStats& stats) {
   json.close('}');
 }
 
+void write_backend(Json& json, const Plan::BackendCounts& counts) {
+  json.name("backend");
+  json.open('{');
+  json.member("asked", counts.asked);
+  json.member("answered", counts.answered);
+  json.close('}');
+}
+
 void write_focus(Json& json, const Plan::FocusCounts& counts) {
   json.name("focus");
   json.open('{');
@@ -133,6 +141,9 @@ std::string to_json(const Plan& plan) {
   json.member("threads", std::uint64_t{plan.threads});
   json.member("rules", plan.rules);
   json.member("policies", plan.policies);
+  if (plan.backend) {
+    write_backend(json, *plan.backend);
+  }
   if (plan.focus) {
     write_focus(json, *plan.focus);
   }

@@ -4,6 +4,7 @@ module abut.universe;
 import abut.broadphase;
 import abut.core.standard;
 import abut.core;
+import abut.detect.backend;
 import abut.detect.lists.contacts;
 import abut.detect.lists.islands;
 import abut.detect.pairs.jobs;
@@ -107,6 +108,9 @@ Plan Universe::plan(std::span<const Plan::Extension> extensions) const {
             .kinds = {},
             .left_out = {},
             .extensions = {extensions.begin(), extensions.end()}};
+  if (backend_.is_on()) {
+    plan.backend = {backend_.asked(), backend_.answered()};
+  }
   if (focus_.is_on()) {
     plan.focus = count_focus();
   }

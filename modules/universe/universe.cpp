@@ -7,6 +7,7 @@ import abut.core.memory.spare_blocks;
 import abut.core.standard;
 import abut.core.workers;
 import abut.core;
+import abut.detect.backend;
 import abut.detect.lists.contacts;
 import abut.detect.continuous;
 import abut.detect.elements;
@@ -41,6 +42,11 @@ void Universe::follow_islands(bool are_followed) {
   if (!are_followed) {
     islands_.clear();
   }
+}
+
+void Universe::set_backend(Backend backend) {
+  backend_.set(std::move(backend));
+  meetings_.must_ask_again = true;
 }
 
 BoxFrame Universe::box_frame() const {
@@ -214,8 +220,9 @@ void Universe::run_stages(const Scope& scope) {
   selection_.run(workers_, scope, options_.tolerance_mode, places_, changes_.patches, meetings_, pairs_, jobs_);
   stats_.pair_microseconds = watch.lap();
   sides_.start(side_keeper_count_ > 0, places_, jobs_);
-  find_manifolds(workers_, options_, meetings_.policies, places_, contacts_.histories(), is_timed, pairs_, sides_,
-                 jobs_);
+  backend_.run(places_, pairs_.all(), sides_, jobs_);
+  find_manifolds(workers_, options_, meetings_.policies, places_, contacts_.histories(), is_timed, pairs_, backend_,
+                 sides_, jobs_);
   sides_.settle(places_, pairs_.all());
   elements_.run(workers_, meetings_.policies, places_, pairs_.all(), jobs_);
   seams_.run({options_, meetings_.policies, places_, contacts_.histories(), pairs_.all()}, jobs_);
@@ -240,9 +247,9 @@ std::uint64_t Universe::hash() const {
 
 std::size_t Universe::bytes() const {
   return sizeof(Universe) + Scene::bytes() + spare_.bytes() + refresh_.bytes() + near_.capacity() * sizeof(ProxyPair) +
-         pairs_.bytes() + selection_.bytes() + jobs_.bytes() + sides_.bytes() + seams_.bytes() + elements_.bytes() +
-         sweeps_.bytes() + impacts_.bytes() + contacts_.bytes() + events_.bytes() + island_links_.bytes() +
-         islands_.bytes() + dynamic_parts_.capacity() * sizeof(PartId);
+         pairs_.bytes() + selection_.bytes() + jobs_.bytes() + sides_.bytes() + backend_.bytes() + seams_.bytes() +
+         elements_.bytes() + sweeps_.bytes() + impacts_.bytes() + contacts_.bytes() + events_.bytes() +
+         island_links_.bytes() + islands_.bytes() + dynamic_parts_.capacity() * sizeof(PartId);
 }
 
 Fault Universe::check_time(Real dt) const {

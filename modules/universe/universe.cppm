@@ -8,6 +8,7 @@ import abut.core.memory.spare_blocks;
 import abut.core.standard;
 import abut.core.workers;
 import abut.core;
+export import abut.detect.backend;
 import abut.detect.lists.contacts;
 import abut.detect.continuous;
 export import abut.detect.elements;
@@ -35,6 +36,15 @@ class Universe : public Scene {
   [[nodiscard]] bool follows_islands() const { return follows_islands_; }
   // Of the last detection; parts may have been destroyed since.
   [[nodiscard]] const IslandList& islands() const [[clang::lifetimebound]] { return islands_; }
+
+  // A detector of the caller, which answers pairs in place of the narrow phase from the next detection on, where all
+  // pairs are examined. An empty `find` is none.
+  void set_backend(Backend backend);
+  [[nodiscard]] bool is_asking_backend() const { return backend_.is_asking(); }
+  // Answers a pair that the back end is asked about now.
+  [[nodiscard]] Fault answer_pair(std::size_t pair, std::span<const ContactPoint> contacts) {
+    return backend_.answer(pair, contacts);
+  }
 
   // Detects over [t, t + dt]; moves nothing. With a tolerance, an overlap has to exceed it, or a
   // separation to be below it, depending on the mode; without one, touching counts. Pairs of which nothing
@@ -145,6 +155,7 @@ class Universe : public Scene {
   Selection selection_;
   JobList jobs_;
   SideStage sides_;
+  BackendStage backend_;
   SeamStage seams_;
   ElementStage elements_;
   Sweeps sweeps_;

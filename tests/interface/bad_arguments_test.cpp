@@ -312,6 +312,7 @@ class Spoiler {
 
 // Calls for which no good arguments are at hand.
 const std::map<std::string_view, std::string_view> without_success{
+    {"abut_backend_answer", "is refused outside of abut_backend_find"},
     {"abut_set_allocator", "is refused while there is anything"},
     {"abut_response_release", "ends bonds, of which there are none"}};
 

@@ -187,6 +187,10 @@ void Call::fill_struct(unsigned char* place, const Struct& its, std::size_t inde
     put(place, abut_collidable{ABUT_COLLIDABLE_GEOMETRY, id.slot, id.generation});
   } else if (its.name == "abut_contact") {
     put(place, contacts_of(world_.shape(0), at(0, 0, 0), world_.shape(0), at(1.5, 0, 0)).front());
+  } else if (its.name == "abut_backend_contact") {
+    abut_backend_contact contact{};
+    contact.normal.z = 1;
+    put(place, contact);
   } else if (its.name != "abut_pair_memory") {
     for (const Value& field : its.fields) {
       if (field.role == Role::structure) fill_struct(place + field.offset, find_struct(field.type), index);

@@ -242,4 +242,25 @@ TEST(NarrowPhases, RayTraceNarrowPhase) {
   EXPECT_NEAR(contacts[0].normal.z, -1, 1e-9);
 }
 
+// A detector that says of each pair that it touches at the origin, a tenth deep; and abut, once it is taken away.
+TEST(NarrowPhases, BulletCollisionDetection) {
+  World world;
+  world.add(ball(0.5), at(0, 0, 0));
+  world.add(ball(0.5), at(0.75, 0, 0));
+  const abut_backend_find find = [](void*, abut_universe* universe, const abut_backend_pair* pairs, std::size_t count) {
+    for (std::size_t i = 0; i < count; ++i) {
+      EXPECT_EQ(pairs[i].pose_b.position.x, 0.75);
+      abut_backend_contact contact{};
+      contact.point_b.x = -0.1;
+      contact.normal.x = 1;
+      require(abut_backend_answer(universe, i, &contact, 1));
+    }
+  };
+  require(abut_backend_set(world.get(), nullptr, find, nullptr));
+  ASSERT_EQ(world.step().size(), 1U);
+  EXPECT_EQ(world.step()[0].distance, -0.1);
+  require(abut_backend_set(world.get(), nullptr, nullptr, nullptr));
+  EXPECT_EQ(world.step()[0].distance, -0.25);
+}
+
 }  // namespace

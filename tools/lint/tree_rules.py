@@ -57,7 +57,7 @@ LAYERS = [
     ("pairs/any_shape/casts", "pairs/two_shapes", "pairs/taken_apart"),
     ("motion", "motion/impacts", "motion/paths"),
     ("scene", "scene/state", "scene/meetings", "scene/rest"),
-    ("detect/elements", "detect/pairs"),
+    ("detect", "detect/elements", "detect/pairs"),
     ("detect/lists",),
     ("queries", "queries/motion", "report", "detect/paths", "detect/continuous"),
     ("universe", "universe/motion"),

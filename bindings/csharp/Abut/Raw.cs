@@ -881,6 +881,33 @@ namespace Abut
         public double AdhesiveForce;
     }
 
+    /// <summary>A pair of geometries that a back end is asked about</summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public partial struct BackendPair
+    {
+        public GeometryId GeometryA;
+        public GeometryId GeometryB;
+        public IntPtr ShapeA;
+        public IntPtr ShapeB;
+        public Pose PoseA;
+        public Pose PoseB;
+        public double Margin;
+    }
+
+    /// <summary>A contact that a back end has found.</summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public partial struct BackendContact
+    {
+        public Vector PointA;
+        public Vector PointB;
+        public Vector Normal;
+        public Feature FeatureA;
+        public Feature FeatureB;
+        public uint ChildA;
+        public uint ChildB;
+        public ulong Id;
+    }
+
     /// <summary>A pair, or one of its contacts, that began to touch, still touches or ended.</summary>
     [StructLayout(LayoutKind.Sequential)]
     public partial struct Event
@@ -1329,6 +1356,12 @@ namespace Abut
     internal delegate uint PointerFilter(IntPtr context, IntPtr universe, IntPtr geometryA, IntPtr geometryB);
 
     [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+    internal delegate uint BackendAccepts(IntPtr context, uint kindA, uint kindB);
+
+    [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+    internal delegate void BackendFind(IntPtr context, IntPtr universe, IntPtr pairs, UIntPtr count);
+
+    [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
     internal delegate void ForceCallback(IntPtr context, PartId part, IntPtr pose, IntPtr velocity, double time, IntPtr force, IntPtr torque);
 
     [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
@@ -1516,6 +1549,8 @@ namespace Abut
         [DllImport("abut")] internal static extern void abut_contact_material_init(out ContactMaterial material, uint structSize);
         [DllImport("abut")] internal static extern Status abut_material_pair_set(Universe universe, uint materialA, uint materialB, ContactMaterial[] row);
         [DllImport("abut")] internal static extern Status abut_material_pair_get(Universe universe, uint materialA, uint materialB, ref ContactMaterial @out);
+        [DllImport("abut")] internal static extern Status abut_backend_set(Universe universe, BackendAccepts accepts, BackendFind find, IntPtr context);
+        [DllImport("abut")] internal static extern Status abut_backend_answer(Universe universe, UIntPtr pair, BackendContact[] contacts, UIntPtr count);
         [DllImport("abut")] internal static extern Status abut_universe_step(Universe universe, double dt);
         [DllImport("abut")] internal static extern Status abut_universe_detect_all(Universe universe);
         [DllImport("abut")] internal static extern Status abut_universe_detect_changed(Universe universe);
@@ -1684,6 +1719,8 @@ namespace Abut
             { typeof(Policy), 88 },
             { typeof(Focus), 32 },
             { typeof(ContactMaterial), 96 },
+            { typeof(BackendPair), 152 },
+            { typeof(BackendContact), 104 },
             { typeof(Event), 40 },
             { typeof(SleepChange), 16 },
             { typeof(LocalPoints), 48 },

@@ -713,6 +713,38 @@ pub struct abut_contact_material {
     pub adhesive_force: f64,
 }
 const _: [(); 96] = [(); ::std::mem::size_of::<abut_contact_material>()];
+#[repr(C)]
+#[derive(Debug, Copy, Clone)]
+pub struct abut_backend_pair {
+    pub geometry_a: abut_geometry_id,
+    pub geometry_b: abut_geometry_id,
+    pub shape_a: *const abut_shape,
+    pub shape_b: *const abut_shape,
+    pub pose_a: abut_pose,
+    pub pose_b: abut_pose,
+    pub margin: f64,
+}
+impl Default for abut_backend_pair {
+    fn default() -> Self {
+        unsafe { ::std::mem::zeroed() }
+    }
+}
+const _: [(); 152] = [(); ::std::mem::size_of::<abut_backend_pair>()];
+pub type abut_backend_accepts = ::std::option::Option<unsafe extern "C" fn(context: *mut ::std::os::raw::c_void, kind_a: abut_shape_kind, kind_b: abut_shape_kind) -> u32>;
+pub type abut_backend_find = ::std::option::Option<unsafe extern "C" fn(context: *mut ::std::os::raw::c_void, universe: *mut abut_universe, pairs: *const abut_backend_pair, count: usize)>;
+#[repr(C)]
+#[derive(Debug, Default, Copy, Clone)]
+pub struct abut_backend_contact {
+    pub point_a: abut_vec3,
+    pub point_b: abut_vec3,
+    pub normal: abut_vec3,
+    pub feature_a: abut_feature,
+    pub feature_b: abut_feature,
+    pub child_a: u32,
+    pub child_b: u32,
+    pub id: u64,
+}
+const _: [(); 104] = [(); ::std::mem::size_of::<abut_backend_contact>()];
 pub type abut_event_kind = u32;
 pub const ABUT_EVENT_BEGIN: abut_event_kind = 0;
 pub const ABUT_EVENT_PERSIST: abut_event_kind = 1;
@@ -1115,6 +1147,8 @@ extern "C" {
     pub fn abut_contact_material_init(material: *mut abut_contact_material, struct_size: u32);
     pub fn abut_material_pair_set(universe: *mut abut_universe, material_a: u32, material_b: u32, row: *const abut_contact_material) -> abut_status;
     pub fn abut_material_pair_get(universe: *const abut_universe, material_a: u32, material_b: u32, out: *mut abut_contact_material) -> abut_status;
+    pub fn abut_backend_set(universe: *mut abut_universe, accepts: abut_backend_accepts, find: abut_backend_find, context: *mut ::std::os::raw::c_void) -> abut_status;
+    pub fn abut_backend_answer(universe: *mut abut_universe, pair: usize, contacts: *const abut_backend_contact, count: usize) -> abut_status;
     pub fn abut_universe_step(universe: *mut abut_universe, dt: f64) -> abut_status;
     pub fn abut_universe_detect_all(universe: *mut abut_universe) -> abut_status;
     pub fn abut_universe_detect_changed(universe: *mut abut_universe) -> abut_status;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Who meets whom in a universe, and how: rules, the filter, policies, the focus and materials.
+// Who meets whom in a universe, and how: rules, the filter, policies, the focus, materials and a back end.
 #ifndef ABUT_CPP_UNIVERSE_RULES_HPP
 #define ABUT_CPP_UNIVERSE_RULES_HPP
 
@@ -50,6 +50,26 @@ class UniverseRules : public UniverseGeometries {
   // Asks the filter about all pairs again at the next step.
   Answer<void> refilter() { return detail::answer(abut_universe_refilter(get())); }
 
+  // A detector of your own in place of the narrow phase. `find` gets all pairs of a step or detection that `accepts`
+  // lets through, and answers each by answer_pair, or leaves it to abut. It may ask what is const of its universe.
+  // What it throws comes out of the step or detection when that is over; the next one asks about all pairs again.
+  using BackendFind = std::function<void(Span<const BackendPair>)>;
+  using BackendAccepts = std::function<bool(ShapeKind, ShapeKind)>;
+
+  // The universe keeps both; an empty `find` takes them away, an empty `accepts` accepts all kinds.
+  Answer<void> set_backend(BackendFind find, BackendAccepts accepts = {}) {
+    auto kept =
+        find ? std::make_unique<KeptBackend>(KeptBackend{std::move(find), std::move(accepts), nullptr}) : nullptr;
+    const abut_status status = abut_backend_set(get(), kept && kept->accepts ? &call_accepts : nullptr,
+                                                kept ? &call_find : nullptr, kept.get());
+    if (status == ABUT_OK) backend_ = std::move(kept);
+    return detected(status);
+  }
+  // From within `find`: the contacts of a pair by its place; none where the two do not touch.
+  Answer<void> answer_pair(std::size_t pair, Span<const BackendContact> contacts) {
+    return detail::answer(abut_backend_answer(get(), pair, contacts.data(), contacts.size()));
+  }
+
   // How geometries of two tags meet; without a Policy by default.
   Answer<void> set_policy(std::uint32_t tag_a, std::uint32_t tag_b, OptionalRef<abut_policy> policy) {
     return detail::answer(abut_policy_set(get(), tag_a, tag_b, policy.get()));
@@ -76,11 +96,12 @@ class UniverseRules : public UniverseGeometries {
  protected:
   using UniverseGeometries::UniverseGeometries;
 
-  // The answer of a call that asks the filter.
+  // The answer of a call that asks the filter or the back end.
   abut_status heard(abut_status status) {
 #ifndef ABUT_NO_EXCEPTIONS
-    if (filter_ && filter_->failure) {
-      const std::exception_ptr failure = std::exchange(filter_->failure, nullptr);
+    std::exception_ptr failure = filter_ ? std::exchange(filter_->failure, nullptr) : nullptr;
+    if (backend_ && backend_->failure) failure = std::exchange(backend_->failure, nullptr);
+    if (failure) {
       if (status == ABUT_OK) status = abut_universe_refilter(get());
       if (status == ABUT_OK) std::rethrow_exception(failure);
     }
@@ -94,8 +115,20 @@ class UniverseRules : public UniverseGeometries {
     Filter filter;
     std::exception_ptr failure;
   };
+  struct KeptBackend {
+    BackendFind find;
+    BackendAccepts accepts;
+    std::exception_ptr failure;
+  };
 
 #ifdef ABUT_NO_EXCEPTIONS
+  static std::uint32_t call_accepts(void* context, abut_shape_kind a, abut_shape_kind b) {
+    return static_cast<const KeptBackend*>(context)->accepts(static_cast<ShapeKind>(a), static_cast<ShapeKind>(b)) ? 1
+                                                                                                                : 0;
+  }
+  static void call_find(void* context, abut_universe*, const abut_backend_pair* pairs, std::size_t count) {
+    static_cast<const KeptBackend*>(context)->find({pairs, count});
+  }
   static std::uint32_t call_filter(void* context, const abut_universe*, abut_geometry_id a, abut_geometry_id b) {
     return static_cast<const KeptFilter*>(context)->filter(a, b) ? 1 : 0;
   }
@@ -110,9 +143,27 @@ class UniverseRules : public UniverseGeometries {
       return 0;
     }
   }
+  static std::uint32_t call_accepts(void* context, abut_shape_kind a, abut_shape_kind b) {
+    auto* const kept = static_cast<KeptBackend*>(context);
+    try {
+      return !kept->failure && kept->accepts(static_cast<ShapeKind>(a), static_cast<ShapeKind>(b)) ? 1 : 0;
+    } catch (...) {
+      kept->failure = std::current_exception();
+      return 0;
+    }
+  }
+  static void call_find(void* context, abut_universe*, const abut_backend_pair* pairs, std::size_t count) {
+    auto* const kept = static_cast<KeptBackend*>(context);
+    try {
+      kept->find({pairs, count});
+    } catch (...) {
+      kept->failure = std::current_exception();
+    }
+  }
 #endif
 
   std::unique_ptr<KeptFilter> filter_;
+  std::unique_ptr<KeptBackend> backend_;
 };
 
 }  // namespace ABUT_ANSWERS

@@ -46,6 +46,8 @@ using ToleranceMode = abut_tolerance_mode_value;
 using VelocitySource = abut_velocity_source_value;
 
 // Answers.
+using BackendContact = abut_backend_contact;
+using BackendPair = abut_backend_pair;
 using CastHit = abut_cast_hit;
 using Closest = abut_closest;
 using CompositeChild = abut_composite_child;

@@ -83,7 +83,7 @@ void SeamStage::find_sides(const SeamScene& scene, const JobList& jobs) {
     const bool is_row = is_part_at_seams(chunk.run / shape_kind_count, is_welded),
                is_column = is_part_at_seams(chunk.run % shape_kind_count, is_welded);
     for (std::uint32_t job = chunk.begin; (is_row || is_column) && job < chunk.end; ++job) {
-      if (jobs.result(job).count == 0) {
+      if (jobs.result(job).count == 0 || jobs.result(job).is_given) {
         continue;
       }
       // Side a of a job is of the kind of the row.

@@ -22,8 +22,9 @@ struct [[gsl::Pointer]] SeamScene {
 class SeamStage {
  public:
   // Takes contacts at seams out of the results of jobs, or welds them. Parts that are dynamic have none with each
-  // other. Pairs that this detection did not examine stay as they are. O(touching jobs with a part), and O(n log n) of
-  // them where there is more than one part. Parts are surfaces; where the universe welds, convex shapes too.
+  // other. Pairs that this detection did not examine stay as they are, and so do those that a back end answered.
+  // O(touching jobs with a part), and O(n log n) of them where there is more than one part. Parts are surfaces; where
+  // the universe welds, convex shapes too.
   void run(const SeamScene& scene, JobList& jobs);
   [[nodiscard]] std::size_t bytes() const { return sides_.capacity() * sizeof(Side); }
 

@@ -64,6 +64,7 @@ inline constexpr std::size_t job_run_count = run_count + 2;
 struct JobResult {
   std::uint32_t chunk = 0, first = 0, count = 0;
   bool is_touching = false;  // though contacts are not wanted
+  bool is_given = false;     // by a back end
 };
 
 // Jobs next to each other of one run and one policy, and the contacts that they found.

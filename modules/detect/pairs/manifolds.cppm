@@ -4,6 +4,7 @@ export module abut.detect.pairs.manifolds;
 import abut.capability;
 import abut.core.standard;
 import abut.core.workers;
+import abut.detect.backend;
 import abut.detect.pairs.jobs;
 import abut.detect.pairs;
 import abut.detect.pairs.sides;
@@ -15,10 +16,11 @@ import abut.scene.meetings.policies;
 export namespace abut {
 
 // Jobs run in runs of equal kinds, each pair in the frame of its first shape. What they find stays with them. Reduction
-// prefers what the pair had before: `histories` are those of the contacts of the detection before. `sides` has started.
+// prefers what the pair had before: `histories` are those of the contacts of the detection before. `sides` has started,
+// and `backend` has run: jobs that it answered get its contacts in place of those of a kernel.
 void find_manifolds(const Workers& workers, const UniverseOptions& options, const PolicyTable& policies,
                     const Places& places, std::span<const ContactHistory> histories, bool is_timed, PairStore& pairs,
-                    SideStage& sides, JobList& jobs);
+                    const BackendStage& backend, SideStage& sides, JobList& jobs);
 
 // Brings to the front those with a distance that is wanted, reduced as the options say, and counts them. A reduction
 // prefers what the pair had before: `history` hands over the contacts of the detection before, and is asked for a

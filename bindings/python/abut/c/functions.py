@@ -6,8 +6,8 @@ from ctypes import CFUNCTYPE, POINTER, c_char_p, c_double, c_int32, c_size_t, c_
 
 from .structs import *
 
-__all__ = ["Log", "Allocate", "Release", "Filter", "PointerFilter", "ForceCallback", "ContactCallback",
-    "ContactLawCallback", "ResponseListener", "FUNCTIONS", "PICKING_FUNCTIONS", "RESPONSE_FUNCTIONS"]
+__all__ = ["Log", "Allocate", "Release", "Filter", "PointerFilter", "BackendAccepts", "BackendFind", "ForceCallback",
+    "ContactCallback", "ContactLawCallback", "ResponseListener", "FUNCTIONS", "PICKING_FUNCTIONS", "RESPONSE_FUNCTIONS"]
 
 Status = c_int32
 
@@ -17,6 +17,8 @@ Allocate = CFUNCTYPE(c_void_p, c_void_p, c_size_t, c_size_t)
 Release = CFUNCTYPE(None, c_void_p, c_void_p, c_size_t, c_size_t)
 Filter = CFUNCTYPE(c_uint32, c_void_p, c_void_p, GeometryId, GeometryId)
 PointerFilter = CFUNCTYPE(c_uint32, c_void_p, c_void_p, POINTER(GeometryId), POINTER(GeometryId))
+BackendAccepts = CFUNCTYPE(c_uint32, c_void_p, c_uint32, c_uint32)
+BackendFind = CFUNCTYPE(None, c_void_p, c_void_p, POINTER(BackendPair), c_size_t)
 ForceCallback = CFUNCTYPE(None, c_void_p, PartId, POINTER(Pose), POINTER(Velocity), c_double, POINTER(Vec3), POINTER(Vec3))
 ContactCallback = CFUNCTYPE(c_uint32, c_void_p, POINTER(Contact), POINTER(ContactMaterial))
 ContactLawCallback = CFUNCTYPE(c_uint32, c_void_p, POINTER(Contact), POINTER(Vec3), c_double, POINTER(ContactLaw))
@@ -227,6 +229,8 @@ FUNCTIONS = {
     "abut_contact_material_init": (None, [POINTER(ContactMaterial), c_uint32]),
     "abut_material_pair_set": (Status, [c_void_p, c_uint32, c_uint32, POINTER(ContactMaterial)]),
     "abut_material_pair_get": (Status, [c_void_p, c_uint32, c_uint32, POINTER(ContactMaterial)]),
+    "abut_backend_set": (Status, [c_void_p, BackendAccepts, BackendFind, c_void_p]),
+    "abut_backend_answer": (Status, [c_void_p, c_size_t, POINTER(BackendContact), c_size_t]),
     "abut_universe_step": (Status, [c_void_p, c_double]),
     "abut_universe_detect_all": (Status, [c_void_p]),
     "abut_universe_detect_changed": (Status, [c_void_p]),

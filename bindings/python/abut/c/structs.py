@@ -14,11 +14,12 @@ __all__ = ["Vec3", "Quat", "Pose", "Aabb", "PartId", "GeometryId", "Feature", "H
     "CompositeChild", "ShapeDesc", "Ray", "RayHit", "QueryOptions", "Route", "Distance", "Contact", "PairMemory",
     "FirstTouch", "ElementCounts", "ElementsOptions", "Stencil", "ElementPair", "Crossing", "Movement", "ImpactOptions",
     "Impact", "UniverseOptions", "PartOptions", "Sleep", "GeometryOptions", "GeometryInfo", "Revision", "Collidable",
-    "Policy", "Focus", "ContactMaterial", "Event", "SleepChange", "LocalPoints", "StepStats", "Finding", "Island",
-    "Velocity", "Acceleration", "StepImpact", "ElementContact", "QueryFilter", "QueryHit", "CastHit", "ImpactHit",
-    "Closest", "LayoutEntry", "Pick", "Camera", "ClipPlane", "Snap", "Barycentric", "ContactProblem", "SolverOptions",
-    "Residuals", "MassProperties", "ResponseOptions", "BodyOptions", "ElasticOptions", "ContactLaw", "ResponseSide",
-    "LinkOptions", "ResponseContact", "ResponseObject", "ResponseIsland", "Energy", "ResponseFinding"]
+    "Policy", "Focus", "ContactMaterial", "BackendPair", "BackendContact", "Event", "SleepChange", "LocalPoints",
+    "StepStats", "Finding", "Island", "Velocity", "Acceleration", "StepImpact", "ElementContact", "QueryFilter",
+    "QueryHit", "CastHit", "ImpactHit", "Closest", "LayoutEntry", "Pick", "Camera", "ClipPlane", "Snap", "Barycentric",
+    "ContactProblem", "SolverOptions", "Residuals", "MassProperties", "ResponseOptions", "BodyOptions",
+    "ElasticOptions", "ContactLaw", "ResponseSide", "LinkOptions", "ResponseContact", "ResponseObject",
+    "ResponseIsland", "Energy", "ResponseFinding"]
 
 
 @struct
@@ -485,6 +486,29 @@ class ContactMaterial(Struct):
     restitution: Double
     restitution_threshold: Double
     adhesive_force: Double
+
+
+@struct
+class BackendPair(Struct):
+    geometry_a: GeometryId
+    geometry_b: GeometryId
+    shape_a: Address
+    shape_b: Address
+    pose_a: Pose
+    pose_b: Pose
+    margin: Double
+
+
+@struct
+class BackendContact(Struct):
+    point_a: Vec3
+    point_b: Vec3
+    normal: Vec3
+    feature_a: Feature
+    feature_b: Feature
+    child_a: UInt32
+    child_b: UInt32
+    id: UInt64
 
 
 @struct
