@@ -107,6 +107,14 @@ class Demo(unittest.TestCase):
         self.assertEqual(start[:8], b"\x89PNG\r\n\x1a\n")
         self.assertEqual(struct.unpack(">II", start[16:24]), (96, 64))
 
+    def test_a_film_has_a_picture_for_each_second_step(self):
+        out = pathlib.Path(self.folder.name) / "film"
+        self.assertEqual(small_run(out, "--film", "2").returncode, 0)
+        self.assertEqual({path.name for path in (out / "film").iterdir()}, {"1.png", "2.png"})
+        self.assertEqual((out / "film" / "2.png").read_bytes(), (out / "scene.png").read_bytes())
+        self.assertNotEqual((out / "film" / "1.png").read_bytes(), (out / "scene.png").read_bytes())
+        self.assertEqual((out / "contacts.csv").read_bytes(), (self.out / "contacts.csv").read_bytes())
+
     def test_bad_arguments_are_answered_in_one_line(self):
         for arguments, word in (
             (["--steps", "0"], "--steps"),
@@ -115,6 +123,7 @@ class Demo(unittest.TestCase):
             (["--bodies", "1e3"], "1e3"),
             (["--seed", ""], "--seed"),
             (["--threads", "1025"], "1025"),
+            (["--film", "0"], "--film"),
             (["--size", "1280"], "--size"),
             (["--size", "1280x"], "--size"),
             (["--size", "9x9"], "9"),

@@ -34,7 +34,37 @@ class Stopwatch {
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
-Statistics run_steps(Scene& scene, std::uint32_t steps) {
+constexpr PickingFunctions picking{abut_picker_create, abut_picker_destroy, abut_picker_render, abut_picker_cast_rays,
+                                   abut_camera_init,   abut_camera_look_at, abut_camera_ray};
+
+// A camera above the slopes on which the bodies lie: at the edge of the plateau, looking north-east over the spurs
+// below it to the water gap in the far ridge.
+abut_camera make_camera(const Picker& picker, const Terrain& terrain, const Options& options) {
+  const double x = -250.0;
+  const double y = -1750.0;
+  const Vec3 eye{x, y, terrain.height(x, y) + 540.0};
+  return picker.camera(options.width, options.height, 0.76, eye, {1400.0, 400.0, 590.0}, {0.0, 0.0, 1.0});
+}
+
+struct Seen {
+  std::size_t contacts;
+  std::size_t on_cloth;
+};
+
+// Draws the last step; returns how many contacts are in plain sight.
+Seen draw_picture(const std::filesystem::path& path, const Options& options, const Scene& scene,
+                  const std::vector<abut_contact>& contacts, Elsewhere progress) {
+  const Picker picker(picking, scene.universe());
+  const abut_camera camera = make_camera(picker, scene.terrain(), options);
+  Picture picture = render(picker, Hillside(scene), camera, progress);
+  const Seen seen{mark_contacts(picture, camera, contacts, scene), mark_cloth(picture, camera, scene)};
+  draw_legend(picture.image, scene, contacts.size());
+  write_png(path, picture.image);
+  return seen;
+}
+
+Statistics run_steps(Scene& scene, const Options& options) {
+  const std::uint32_t steps = options.steps;
   Statistics statistics;
   Progress progress("steps", steps);
   progress.show(0);
@@ -49,45 +79,26 @@ Statistics run_steps(Scene& scene, std::uint32_t steps) {
     scene.detect();
     statistics.record(scene.universe(), motion_microseconds, whole.microseconds());
     statistics.record_cloth(scene.cloth(), cloth_microseconds);
+    if (options.every > 0 && step % options.every == 0) {
+      const std::string name = std::to_string(step / options.every) + ".png";
+      draw_picture(options.out / "film" / name, options, scene, contacts_of(scene.universe()), Elsewhere::nothing);
+    }
     progress.show(step);
   }
   progress.finish();
   return statistics;
 }
 
-constexpr PickingFunctions picking{abut_picker_create, abut_picker_destroy, abut_picker_render, abut_picker_cast_rays,
-                                   abut_camera_init,   abut_camera_look_at, abut_camera_ray};
-
-// A camera above the slopes on which the bodies lie: at the edge of the plateau, looking north-east over the spurs
-// below it to the water gap in the far ridge.
-abut_camera make_camera(const Picker& picker, const Terrain& terrain, const Options& options) {
-  const double x = -250.0;
-  const double y = -1750.0;
-  const Vec3 eye{x, y, terrain.height(x, y) + 540.0};
-  return picker.camera(options.width, options.height, 0.76, eye, {1400.0, 400.0, 590.0}, {0.0, 0.0, 1.0});
-}
-
-void draw_picture(const std::filesystem::path& path, const Options& options, const Scene& scene,
-                  const std::vector<abut_contact>& contacts) {
-  const Stopwatch watch;
-  const Picker picker(picking, scene.universe());
-  const abut_camera camera = make_camera(picker, scene.terrain(), options);
-  Picture picture = render(picker, Hillside(scene), camera, Elsewhere::lines);
-  const std::size_t seen = mark_contacts(picture, camera, contacts, scene);
-  const std::size_t seen_on_cloth = mark_cloth(picture, camera, scene);
-  draw_legend(picture.image, scene, contacts.size());
-  write_png(path, picture.image);
-  std::printf("\npicture: %u x %u pixels, %zu of %zu contacts and %zu of %zu element contacts in plain sight, %.1f s\n",
-              options.width, options.height, seen, contacts.size(), seen_on_cloth, scene.cloth().contacts().size(),
-              1e-6 * watch.microseconds());
+void make_folder(const std::filesystem::path& folder) {
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (error) {
+    throw Failure("cannot make the folder " + folder.string() + ": " + error.message());
+  }
 }
 
 void run(const Options& options) {
-  std::error_code error;
-  std::filesystem::create_directories(options.out, error);
-  if (error) {
-    throw Failure("cannot make the folder " + options.out.string() + ": " + error.message());
-  }
+  make_folder(options.every > 0 ? options.out / "film" : options.out);
   Scene scene(options.data, options.bodies, options.seed, options.threads);
   std::printf(
       "abut %s: %zu bodies of %zu geometries and %zu shapes on %u x %u elevations (heights x %g), %u steps of %g s, "
@@ -97,7 +108,7 @@ void run(const Options& options) {
       static_cast<unsigned long long>(options.seed),
       options.threads == 0 ? "all" : std::to_string(options.threads).c_str());
   std::fflush(stdout);
-  const Statistics statistics = run_steps(scene, options.steps);
+  const Statistics statistics = run_steps(scene, options);
   const std::vector<abut_contact> contacts = contacts_of(scene.universe());
   statistics.print();
   std::printf("\nexcavation: %.2f million cubic metres\n", 1e-6 * scene.terrain().excavated());
@@ -108,7 +119,11 @@ void run(const Options& options) {
   write_steps(options.out / "steps.csv", statistics.steps());
   write_cloth(options.out / "cloth.csv", scene.cloth());
   std::fflush(stdout);
-  draw_picture(options.out / "scene.png", options, scene, contacts);
+  const Stopwatch watch;
+  const Seen seen = draw_picture(options.out / "scene.png", options, scene, contacts, Elsewhere::lines);
+  std::printf("\npicture: %u x %u pixels, %zu of %zu contacts and %zu of %zu element contacts in plain sight, %.1f s\n",
+              options.width, options.height, seen.contacts, contacts.size(), seen.on_cloth,
+              scene.cloth().contacts().size(), 1e-6 * watch.microseconds());
   std::printf("wrote %s: contacts.csv and cloth.csv (the last step), steps.csv (all steps), scene.png\n",
               options.out.c_str());
 }

@@ -41,6 +41,8 @@ void set(Options& options, std::string_view option, std::string_view value) {
     options.seed = number_between<std::uint64_t>(option, value, 0, UINT64_MAX);
   } else if (option == "--threads") {
     options.threads = number_between<std::uint32_t>(option, value, 0, most_threads);
+  } else if (option == "--film") {
+    options.every = number_between<std::uint32_t>(option, value, 1, 100'000);
   } else if (option == "--size") {
     set_size(options, value);
   } else if (option == "--data") {
@@ -91,6 +93,7 @@ bunny beside them.
   --seed N       seed of bodies and places, default 1; the same seed gives the same CSV files
   --threads N    threads of a step, default 0 for all of the machine; the CSV files are the same for any number
   --size WxH     size of the picture in pixels, default 1280x720
+  --film N       also draw every Nth step, as 1.png, 2.png ... in the folder film of DIR
   --out DIR      where to write, default out
   --data DIR     where jacksboro_dem.pgm and bunny.obj lie, default data
   --explain      also print the plan of the universe after the last step

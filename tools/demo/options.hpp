@@ -16,6 +16,7 @@ struct Options {
   std::uint32_t threads = 0;
   std::uint32_t width = 1280;
   std::uint32_t height = 720;
+  std::uint32_t every = 0;  // steps from one picture of a film to the next; 0: no film
   std::filesystem::path data = "data";
   std::filesystem::path out = "out";
   bool explain = false;
