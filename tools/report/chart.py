@@ -29,7 +29,7 @@ STYLES = {
     "bullet": ("#e5534b", "P"), "Bullet": ("#e5534b", "P"), "fcl": ("#a371f7", "X"), "ode": ("#d29922", "h"),
     "box3d": ("#c2571a", "d"), "jolt": ("#bf5aa5", "p"), "coal": ("#5a6fbf", "*"), "all pairs": ("#7d8590", "s"), "sweep": ("#7d8590", "d"),
     "abut of pairs": ("#1b9e9e", "s"), "abut new elements": ("#5aa2ff", "s"), "abut new meshes": ("#5aa2ff", "^"),
-    "fcl new meshes": ("#a371f7", "x"), "abut closest_all": ("#1b9e9e", "D"), "abut closest_of_vertices": ("#1b9e9e", "^"),
+    "fcl new meshes": ("#a371f7", "D"), "abut closest_all": ("#1b9e9e", "D"), "abut closest_of_vertices": ("#1b9e9e", "^"),
     "ODE sweeps": ("#d29922", "h"), "ODE factors": ("#b07d12", "H"), "libccd_gjk": ("#4fa34f", "v"), "libccd_mpr": ("#4fa34f", "<")}
 _OTHERS = [("#bf5aa5", "p"), ("#8c6d46", "8"), ("#5a6fbf", "*")]
 
