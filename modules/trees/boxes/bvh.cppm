@@ -123,19 +123,24 @@ class Bvh {
     const BoxSides before = nodes_[0].sides_around();
     // Children come after their parents.
     for (std::size_t node = nodes_.size(); node-- > 0;) {
-      EightBoxes& its = nodes_[node];
+      ExactSides exact{};
+      bool has_items = false;
       for (std::size_t lane = 0; lane < EightBoxes::width; ++lane) {
-        const std::uint32_t child = its.numbers[lane];
-        if (child == nobody) {
+        const std::uint32_t child = nodes_[node].numbers[lane];
+        if (!EightBoxes::is_item(child)) {
           continue;
         }
-        if (EightBoxes::is_item(child)) {
-          its.set_sides(lane, entry_of(box_of(EightBoxes::item_of(child)), child).sides());
-        } else {
-          its.set_sides(lane, nodes_[child].sides_around());
+        has_items = true;
+        const Aabb box = box_of(EightBoxes::item_of(child));
+        for (const int axis : {0, 1, 2}) {
+          exact[static_cast<std::size_t>(axis)][lane] = box.low[axis];
+          exact[static_cast<std::size_t>(axis) + 3][lane] = -box.high[axis];
         }
       }
-      weigh_moved(static_cast<std::uint32_t>(node));
+      if (has_items) {
+        set_items(static_cast<std::uint32_t>(node), exact);
+      }
+      pass_up(static_cast<std::uint32_t>(node));
     }
     leave_to_parents();
     changed_ = merged(changed_, merged(before, nodes_[0].sides_around()));
@@ -280,8 +285,14 @@ class Bvh {
   [[nodiscard]] bool is_worn(std::uint32_t node, double surface, double sum) const;
   // As a node whose form has just been made, below one of a height. Its children are known already.
   void weigh(std::uint32_t node, std::uint32_t made_below);
-  // After all boxes of a node have been set, and those of all nodes below it: notes whether it has worn.
-  void weigh_moved(std::uint32_t node);
+  // Low sides of eight boxes, then negated high ones.
+  using ExactSides = std::array<std::array<double, EightBoxes::width>, 6>;
+  // New boxes for the items of a node; what is said of other lanes does not count.
+  void set_items(std::uint32_t node, const ExactSides& exact);
+  // After all boxes of a node have been set, and those of all nodes below it: tells the node above.
+  void pass_up(std::uint32_t node);
+  // The same: notes whether the node has worn. `around`: the surface of the box around it.
+  void weigh_moved(std::uint32_t node, double around);
   // Of nodes that have worn, only those remain noted whose parents have not.
   void leave_to_parents();
   // Makes the tree below a node anew, if that is better.

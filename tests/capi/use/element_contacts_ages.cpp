@@ -104,6 +104,28 @@ TEST(ElementContactAges, CountDetectionsThatCoverThePair) {
   }
 }
 
+// Nor do detections that find other pairs anew.
+TEST(ElementContactAges, StayWhereADetectionFindsOtherPairs) {
+  std::mt19937 random(4);
+  Surface mesh = folded_surface(6, 0.02, random);
+  Watched cloths(elements_policy(reach));
+  for (int i = 0; i < 3; ++i) cloths.add(mesh, 0, at(0.03 * i, 0, 0));
+  cloths.step();
+  cloths.move(0, moved(mesh, 0.001, random));
+  const abut_geometry_id a = cloths.geometry(0), b = cloths.geometry(1);
+  require(abut_universe_detect_pairs(cloths.universe(), &a, &b, 1));
+  EXPECT_EQ(cloths.universe().stats().examined_pairs, 1U);
+  std::size_t older = 0, others = 0;
+  for (const auto& [key, age] : cloths.ages()) {
+    const bool is_covered = std::get<0>(key) == 1 && std::get<1>(key) == 2;
+    older += is_covered ? age : 0;
+    others += is_covered ? 0 : 1;
+    EXPECT_TRUE(is_covered || age == 0);
+  }
+  EXPECT_GT(older, 0U);
+  EXPECT_GT(others, 0U);
+}
+
 TEST(ElementContactAges, AreSavedAndInTheHash) {
   std::mt19937 random(3);
   const Surface mesh = folded_surface(6, 0.02, random);
@@ -171,6 +193,23 @@ TEST(ElementContactAges, IslandsAreOfPairsThatHaveSome) {
   cloths.universe().move(cloths.part(1), at(0, 0, 0.5));
   cloths.step();
   EXPECT_EQ(copy_of(abut_universe_islands, cloths.universe()).size(), 3U);
+}
+
+// Its events say that it is one.
+TEST(ElementContactAges, ASensorIsConnectedWithNothing) {
+  Watched cloths(elements_policy(0.125), ABUT_EVENTS_PAIRS | ABUT_EVENTS_ELEMENTS);
+  cloths.add(ground);
+  cloths.add(shifted(ground, 0, 0, 0.1), ABUT_GEOMETRY_SENSOR);
+  require(abut_universe_follow_islands(cloths.universe(), 1));
+  cloths.step();
+  EXPECT_FALSE(cloths.contacts().empty());
+  EXPECT_EQ(copy_of(abut_universe_islands, cloths.universe()).size(), 2U);
+  const auto events = cloths.universe().events();
+  ASSERT_EQ(events.size(), 1 + cloths.contacts().size());
+  EXPECT_EQ(events[0].flags, abut_event_flags{ABUT_EVENT_SENSOR});
+  for (std::size_t i = 1; i < events.size(); ++i) {
+    EXPECT_EQ(events[i].flags, abut_event_flags{ABUT_EVENT_SENSOR | ABUT_EVENT_ELEMENTS});
+  }
 }
 
 // Bodies that touch by elements fall asleep together, and what comes wakes both.

@@ -207,9 +207,17 @@ TEST(ElementContactsAhead, HoldTheWorldUp) {
 // The ways of others count: what comes toward a sheet, what the sheet meets of itself, and what nobody looks at.
 TEST(ElementContactsAhead, HoldTheWorldUpFromAllSides) {
   ABUT_NEEDS_MOTION();
-  enum class Case : std::uint8_t { by_velocity, by_vertices, is_slow, is_sensor, is_parked, other_policy };
-  for (const Case its :
-       {Case::by_velocity, Case::by_vertices, Case::is_slow, Case::is_sensor, Case::is_parked, Case::other_policy}) {
+  enum class Case : std::uint8_t {
+    by_velocity,
+    by_vertices,
+    is_slow,
+    is_sensor,
+    is_parked,
+    is_ruled_out,
+    other_policy
+  };
+  for (const Case its : {Case::by_velocity, Case::by_vertices, Case::is_slow, Case::is_sensor, Case::is_parked,
+                         Case::is_ruled_out, Case::other_policy}) {
     SCOPED_TRACE(testing::Message() << "case " << int(its));
     Cloths cloths(elements_policy(0));
     abut_geometry_options options = default_geometry_options();
@@ -224,6 +232,11 @@ TEST(ElementContactsAhead, HoldTheWorldUpFromAllSides) {
     }
     if (its == Case::by_vertices) lend(cloths, 0, shifted(ground, 0, 0, 1).xyz);
     if (its == Case::is_parked) cloths.universe().park(cloths.geometry(0), ABUT_PARKING_SHORT_TERM);
+    if (its == Case::is_ruled_out) {
+      const abut_geometry_id id = cloths.geometry(0);
+      const abut_collidable first{ABUT_COLLIDABLE_GEOMETRY, id.slot, id.generation};
+      require(abut_rule_set(cloths.universe(), &first, &anything, ABUT_RULE_DISABLE));
+    }
     lend(cloths, 1, shifted(tip, 0, 0, -3).xyz);
     const abut_step_impact first = to_first_impact(cloths.universe());
     const bool is_held = its == Case::by_velocity || its == Case::by_vertices;
@@ -233,6 +246,42 @@ TEST(ElementContactsAhead, HoldTheWorldUpFromAllSides) {
     EXPECT_NEAR(low, is_held ? 0.25 : its == Case::is_slow ? 1 : -2, 1e-8);
     if (!is_held && its != Case::is_slow) EXPECT_EQ(low, -2) << "exactly those that were written";
   }
+}
+
+// A ball that lands first stops the sheet as well.
+TEST(ElementContactsAhead, AreHeldUpByBodiesThatTouchBefore) {
+  ABUT_NEEDS_MOTION();
+  Cloths cloths(elements_policy(0));
+  cloths.add(ground);
+  cloths.add(tip, ABUT_GEOMETRY_FAST);
+  abut_geometry_options fast = default_geometry_options();
+  fast.flags = ABUT_GEOMETRY_FAST;
+  const abut_geometry_id floor = cloths.universe().add(make_box(1, 1, 1), at(50, 0, 0), ABUT_MOTION_STATIC);
+  const abut_part_id body = cloths.universe().add_part(at(50, 0, 1.9));
+  cloths.universe().add_geometry(body, make_sphere(0.5), fast);
+  const abut_velocity falling{{0, 0, -4}, {0, 0, 0}};
+  require(abut_part_set_velocity(cloths.universe(), body, &falling));
+  lend(cloths, 1, shifted(tip, 0, 0, -4).xyz);
+  const abut_step_impact first = to_first_impact(cloths.universe());
+  EXPECT_TRUE(first.geometry_a == floor);
+  EXPECT_NEAR(first.lower, 0.1, 1e-6);
+  EXPECT_NEAR(vertices_of(cloths, 1, cloths.universe())[2], 0.6, 1e-5);
+}
+
+// What has moved since the last step with time still comes from there in the next one.
+TEST(ElementContactsAhead, LookingForAnImpactForgetsNoWay) {
+  ABUT_NEEDS_MOTION();
+  Cloths cloths(elements_policy(0));
+  cloths.add(ground);
+  cloths.add(tip, ABUT_GEOMETRY_FAST);
+  cloths.add(tip_at(9, 9, 9), ABUT_GEOMETRY_FAST);
+  cloths.step();
+  cloths.move(1, shifted(tip, 0, 0, -4).xyz);
+  require(abut_universe_detect_changed(cloths.universe()));
+  lend(cloths, 2, tip_at(9, 9, 8).xyz);
+  EXPECT_EQ(to_first_impact(cloths.universe()).lower, 1);
+  cloths.step();
+  EXPECT_EQ(cloths.stencils(0, 1).size(), 3U) << "it passed the ground";
 }
 
 TEST(ElementContactsAhead, HoldASheetUpThatMeetsItself) {

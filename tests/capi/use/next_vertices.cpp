@@ -201,4 +201,25 @@ TEST(NextVertices, AnAdvanceIsAChange) {
   EXPECT_GT(world.universe.stats().examined_pairs, 0U);
 }
 
+TEST(NextVertices, AnAdvanceWakesThePart) {
+  Universe universe;
+  const abut_part_id part = universe.add_part(identity);
+  const abut_geometry_id sheet = universe.add_geometry(part, shape_of(ground));
+  abut_sleep sleep = default_sleep();
+  sleep.steps = 2;
+  require(abut_part_set_sleep(universe, part, &sleep));
+  const auto is_asleep = [&] {
+    std::uint32_t asleep = 0;
+    require(abut_part_is_asleep(universe, part, &asleep));
+    return asleep != 0;
+  };
+  const Lent lent = next_of(universe, sheet);
+  for (int step = 0; step < 4; ++step) require(abut_universe_step(universe, 0.01));
+  EXPECT_TRUE(is_asleep()) << "lending wakes nothing";
+  lent.write(shifted(ground, 0, 0, 0.5).xyz);
+  require(abut_geometry_advance(universe, sheet));
+  require(abut_universe_step(universe, 0.01));
+  EXPECT_FALSE(is_asleep());
+}
+
 }  // namespace

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <map>
 #include <optional>
 #include <set>
@@ -18,7 +19,9 @@ import abut.trees.volumes.eight_boxes;
 namespace {
 
 using abut::Aabb;
+using abut::BoxSides;
 using abut::Bvh;
+using abut::EightBoxes;
 using abut::Vec3;
 
 std::vector<Aabb> boxes_in_space(std::size_t count, double size, test::Random& random) {
@@ -337,6 +340,47 @@ TEST(Bvh, StaysGoodWhereAllMove) {
         EXPECT_LE(visits[item], gone.count(item) == 0 ? 1 : 0) << item;
       }
     }
+  }
+}
+
+// The box of each item as the tree holds it.
+std::map<std::uint32_t, BoxSides> sides_of(const Bvh& tree) {
+  std::map<std::uint32_t, BoxSides> sides;
+  std::vector<std::uint32_t> waiting{0};
+  while (!waiting.empty()) {
+    const std::uint32_t node = waiting.back();
+    waiting.pop_back();
+    tree.visit_children(node, [&](const EightBoxes& its) {
+      for (std::size_t lane = 0; lane < EightBoxes::width; ++lane) {
+        const std::uint32_t child = its.numbers.at(lane);
+        if (EightBoxes::is_item(child)) {
+          sides[EightBoxes::item_of(child)] = its.sides_of_lane(lane);
+        } else if (child != EightBoxes::nobody) {
+          waiting.push_back(child);
+        }
+      }
+    });
+  }
+  return sides;
+}
+
+// Eight at once get the bits that they get one by one, also far from the origin, and where a side is infinite.
+TEST(Bvh, MovesAllAsOneByOne) {
+  test::Random random(222);
+  for (const double far : {0.0, 1e3, 1e9}) {
+    std::vector<Aabb> boxes = ground(30);
+    for (Aabb& box : boxes) box = {box.low + Vec3{far, -far, far}, box.high + Vec3{far, -far, far}};
+    Bvh at_once(boxes), one_by_one(boxes);
+    at_once.make_room();
+    one_by_one.make_room();
+    for (Aabb& box : boxes) box = Aabb::around(box.centre() + random.point(2), {0.3, 0.2, 0.1});
+    boxes.at(7).high.y = std::numeric_limits<double>::infinity();
+    at_once.move_all([&](std::uint32_t item) { return boxes.at(item); });
+    for (std::uint32_t item = 0; item < boxes.size(); ++item) one_by_one.move(item, boxes.at(item));
+    static_cast<void>(at_once.settle());
+    static_cast<void>(one_by_one.settle());
+    EXPECT_EQ(sides_of(at_once), sides_of(one_by_one)) << far;
+    EXPECT_EQ(sides_of(at_once).size(), boxes.size());
   }
 }
 
