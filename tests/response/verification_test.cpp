@@ -152,6 +152,28 @@ TEST(Verification, LetsACardStandBySoMuchFriction) {
   EXPECT_LT(height_of_card_after(0.99 * least, 5), 0.9);
 }
 
+// Two cards that lean on each other, edge on edge. Their faces meet the level force of the joint at the angle of the
+// lean, whichever of them the contact takes: mu >= tan(angle). The ground asks for less.
+double height_of_house_after(double friction, double seconds) {
+  constexpr double size = 1, thickness = 0.02, angle = std::numbers::pi / 6, step = 2e-3;
+  Scene scene([](abut_response_options& its) { its.tolerance = 1e-11; }, 1e-4);
+  scene.material([&](abut_contact_material& row) { row.friction_primary = row.friction_secondary = friction; });
+  scene.floor();
+  const double x = thickness / 2 * std::cos(angle) + size / 2 * std::sin(angle);
+  const double z = thickness / 2 * std::sin(angle) + size / 2 * std::cos(angle);
+  abut_part_id card{};
+  for (const double side : {-1.0, 1.0})
+    card = scene.body(block(thickness / 2, 0.4, size / 2), {{side * x, 0, z}, turn_about_y(-side * angle)}, 1);
+  scene.step(step, static_cast<int>(seconds / step));
+  return scene.pose(card).position.z / z;
+}
+
+TEST(Verification, LetsTwoCardsStandEdgeOnEdgeBySoMuchFriction) {
+  const double least = std::tan(std::numbers::pi / 6);
+  EXPECT_NEAR(height_of_house_after(1.01 * least, 5), 1, 1e-9);
+  EXPECT_LT(height_of_house_after(0.99 * least, 5), 0.9);
+}
+
 // The public benchmark of Kang and Hwangbo, "rolling": a box of 10 kg slides under 25 balls of 1 kg that roll on it.
 // The friction of the ground is 0.4 (35 g), so a_ball = (150 - 137.34) / 60. The box is 3.5 times as fast.
 TEST(Verification, RollsBallsOnABoxThatSlides) {

@@ -13,8 +13,8 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
 FOLDER = ROOT / "docs" / "images"
-PICTURES = ("camera", "elements", "events", "filters", "focus", "frames", "holes", "layers", "manifold", "measures", "pairs", "queries", "rectangle", "sides",
-            "signs", "speed", "step", "tolerance")
+PICTURES = ("camera", "elements", "events", "filters", "focus", "frames", "holes", "layers", "manifold", "measures", "pairs", "queries", "rectangle",
+            "settling", "sides", "signs", "speed", "springs", "step", "tolerance")
 
 
 def drawn():
