@@ -63,7 +63,7 @@ void ContactWriter::add(const World& world, std::uint64_t step) {
 ElementWriter::ElementWriter(const std::string& path, Format format) : table_(path, format, element_columns) {}
 
 void ElementWriter::add(const World& world, std::uint64_t step) {
-  for (const abut_element_contact& contact : element_contacts_of(world.universe())) {
+  for (const abut_element_contact& contact : world.element_contacts()) {
     const abut_stencil& its = contact.stencil;
     table_.whole(step);
     table_.text(world.part_name(contact.geometry_a)).text(world.geometry_name(contact.geometry_a));
