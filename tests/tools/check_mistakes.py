@@ -55,7 +55,7 @@ MISTAKES = [
     ("parts[0].geometries[0].sequence", {"files": ["none.ply"]}, "a file that can be read",
      'parts[0].geometries[0].sequence.files[0] is "none.ply"'),
     ("policies[0].contact_distance", -1, "not negative"),
-    ("universe.events[0]", "all", '"pairs", "persist" or "contacts"'),
+    ("universe.events[0]", "all", '"pairs", "persist", "contacts" or "elements"'),
     ("layers.ground", 64, "a whole number from 0 to 63"),
     ("shapes.ball.kind", "orb", "a kind of shape of this build: sphere, box"),
     ("shapes.ball.kind", "spere", "did you mean 'sphere'?"),

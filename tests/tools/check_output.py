@@ -85,6 +85,10 @@ class Output(program.Case):
                 self.assertAlmostEqual(row["distance"], sheet[row["vertex_0"]][2] - 0.7, delta=1e-12)
                 self.assertAlmostEqual(row["normal"][2], -1, delta=1e-12)
         self.assertEqual(len({row["id"] for row in found}), len(found))
+        counts = json.loads(self.succeed("run", program.SCENES / "table.json", "--json").stdout)["counts"]["element_contacts"]
+        self.assertEqual((counts["last"], counts["total"]), (len(found), len(found)))
+        begins = [e["contact_id"] for e in self.events(program.SCENES / "table.json") if (e["of"], e["event"]) == ("element", "begin")]
+        self.assertEqual(sorted(begins), sorted(row["id"] for row in found))
 
     def test_runs_and_threads_give_the_same_bytes(self):
         scene = program.SCENES / "scatter.json"

@@ -225,6 +225,19 @@ class Pairs(program.Case):
                 self.assertEqual(sum(r["contacts"] for r in rows), len(contacts))
                 self.assertNotIn("detection", {r["stopped_by"] for r in rows}, "every pair that is apart has its reason")
 
+    def test_pairs_with_element_contacts_touch(self):
+        scene = program.SCENES / "table.json"
+        out = self.folder / "elements.json"
+        self.succeed("run", scene, "--quiet", "--elements", out)
+        count = len(json.loads(out.read_text()))
+        rows = json.loads(self.succeed("pairs", scene, "--steps", 3, "--json").stdout)
+        found, = (row for row in rows if (row["a"], row["b"]) == ("cloth/0", "table/0"))
+        self.assertEqual((found["touch"], found["contacts"], found["element_contacts"]), (True, 0, count))
+        self.assertIn(f"touch at step 3: {count} element contacts", self.succeed("check", scene, "cloth", "table", "--steps", 3).stdout)
+        self.assertRegex(self.succeed("pairs", scene, "--steps", 3).stdout, rf"yes +{count} elements")
+        # Before, the sheet is farther away than the policy looks.
+        self.assertIn("do not touch at step 2: distance", self.succeed("check", scene, "cloth", "table", "--steps", 2).stdout)
+
     def test_the_text_ends_with_counts(self):
         text = self.succeed("pairs", program.SCENES / "filters.json").stdout
         self.assertIn("16 pairs of boxes overlap at step 1; 5 of them touch", text)

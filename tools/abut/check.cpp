@@ -60,9 +60,11 @@ std::string text_of(const Encounter& its, std::uint64_t step) {
     word.resize(std::max(word.size(), width), ' ');
     return word;
   };
-  std::string text = shown(its.a) + " and " + shown(its.b) +
-                     (its.touches ? " touch" + at + ": " + counted(its.contacts, "contact") + "\n"
-                                  : " do not touch" + at + ": " + its.stopped_by + "\n");
+  const std::string found =
+      its.elements > 0 ? counted(its.elements, "element contact") : counted(its.contacts, "contact");
+  std::string text =
+      shown(its.a) + " and " + shown(its.b) +
+      (its.touches ? " touch" + at + ": " + found + "\n" : " do not touch" + at + ": " + its.stopped_by + "\n");
   for (const GateAnswer& answer : its.answers) {
     text += "  " + pad(std::string(answer.name), 10) + (answer.is_open ? "yes  " : "NO   ") + answer.says + "\n";
   }
@@ -76,6 +78,7 @@ OrderedJson json_of(const Encounter& its) {
                    {"kind_b", kind_name(its.b.shape)},
                    {"touch", its.touches},
                    {"contacts", its.contacts},
+                   {"element_contacts", its.elements},
                    {"stopped_by", nullptr},
                    {"distance", nullptr},
                    {"answers", OrderedJson::array()}};

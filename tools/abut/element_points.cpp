@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "element_points.hpp"
 
-#include <algorithm>
 #include <map>
 
 #include "common/owners.hpp"
@@ -34,13 +33,9 @@ std::vector<abut_vec3> vertices_of(const World& world, std::size_t geometry) {
 }  // namespace
 
 std::vector<ElementPoint> element_points_of(const World& world) {
-  const auto& policies = world.scene().policies;
-  if (std::ranges::none_of(policies, [](const Policy& its) { return its.policy.detail == ABUT_DETAIL_ELEMENTS; })) {
-    return {};  // builds without elements cannot be asked for them
-  }
   std::map<std::size_t, std::vector<abut_vec3>> vertices;
   std::vector<ElementPoint> points;
-  for (const abut_element_contact& contact : element_contacts_of(world.universe())) {
+  for (const abut_element_contact& contact : world.element_contacts()) {
     abut_vec3 middle{};
     for (std::uint32_t i = 0; i < 4; ++i) {
       const bool is_of_a = i < contact.stencil.of_a;

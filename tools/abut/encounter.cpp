@@ -33,6 +33,11 @@ std::optional<abut_distance> distance_without_holes(const World& world, const Pl
   return distance_between(solid_a ? solid_a.get() : a.shape, a.pose, solid_b ? solid_b.get() : b.shape, b.pose);
 }
 
+std::size_t count_in(const std::map<NumberPair, std::size_t>& counts, std::size_t a, std::size_t b) {
+  const auto found = counts.find(std::minmax(a, b));
+  return found == counts.end() ? 0 : found->second;
+}
+
 bool have_contacts(const Placed& a, const Placed& b, double margin) {
   abut_query_options options;
   abut_query_options_init(&options, sizeof options);
@@ -74,6 +79,9 @@ Encounters::Encounters(const World& world) : world_(&world), gates_(world), near
   for (const abut_contact& contact : contacts_of(world.universe())) {
     ++contacts_[std::minmax(world.number_of(contact.geometry_a), world.number_of(contact.geometry_b))];
   }
+  for (const abut_element_contact& contact : world.element_contacts()) {
+    ++elements_[std::minmax(world.number_of(contact.geometry_a), world.number_of(contact.geometry_b))];
+  }
 }
 
 GateAnswer Encounters::answer_of_boxes(std::size_t a, std::size_t b) const {
@@ -89,20 +97,25 @@ Encounter Encounters::between(std::size_t a, std::size_t b) const {
   const abut_policy policy = policy_of(*world_, a, b);
   const bool boxes_only = policy.detail == ABUT_DETAIL_BOX;
   its.answers.push_back(boxes_only ? answer_of_boxes(a, b) : answer_of_distance(*world_, its, policy));
-  const auto found = contacts_.find(std::minmax(a, b));
-  its.contacts = found == contacts_.end() ? 0 : found->second;
+  its.contacts = count_in(contacts_, a, b);
+  its.elements = count_in(elements_, a, b);
+  const bool has_any = its.contacts + its.elements > 0;
   GateAnswer& last = its.answers.back();
-  if (its.contacts > 0 && !last.is_open) {
+  if (has_any && !last.is_open) {
     last.is_open = true;
     last.says += "; they touch on the way of a step, since one of them is fast or speculative";
   }
   const auto closed = std::ranges::find(its.answers, false, &GateAnswer::is_open);
   const bool has_no_contacts = boxes_only || policy.detail == ABUT_DETAIL_TOUCH;
-  its.touches = its.contacts > 0 || (has_no_contacts && closed == its.answers.end());
+  its.touches = has_any || (has_no_contacts && closed == its.answers.end());
   if (!its.touches && closed == its.answers.end() && (world_->why_apart(a, b) & ABUT_APART_SIDE) != 0) {
     its.answers.push_back(
         {"side", false, "one is a surface of one side; the other overlaps it from the back, where it stops nothing"});
     its.stopped_by = "side";
+  } else if (!its.touches && closed == its.answers.end() && policy.detail == ABUT_DETAIL_ELEMENTS) {
+    its.answers.push_back(
+        {"elements", false, "a policy asks about vertices, edges and faces, and its method finds none"});
+    its.stopped_by = "elements";
   } else if (!its.touches && closed == its.answers.end()) {
     const std::string rate = "; a policy finds them anew once in " + std::to_string(policy.period) + " steps";
     its.answers.push_back(

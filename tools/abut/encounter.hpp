@@ -17,6 +17,7 @@ struct Encounter {
   Placed a, b;
   bool touches = false;
   std::size_t contacts = 0;
+  std::size_t elements = 0;                 // element contacts, of pairs with that detail
   std::vector<GateAnswer> answers{};        // of the gates, then of what comes after them
   std::optional<abut_distance> distance{};  // none where the kinds have no algorithm
   std::string stopped_by{};                 // the first that keeps them apart; empty where they touch
@@ -39,6 +40,7 @@ class Encounters {
   Gates gates_;
   std::vector<NumberPair> near_;
   std::map<NumberPair, std::size_t> contacts_;
+  std::map<NumberPair, std::size_t> elements_;
 };
 
 /// Signed distance; none where the kinds have no algorithm.

@@ -60,6 +60,9 @@ std::vector<NumberPair> near_pairs(const World& world) {
   for (const abut_contact& contact : contacts_of(world.universe())) {
     pairs.emplace_back(std::minmax(world.number_of(contact.geometry_a), world.number_of(contact.geometry_b)));
   }
+  for (const abut_element_contact& contact : world.element_contacts()) {
+    pairs.emplace_back(std::minmax(world.number_of(contact.geometry_a), world.number_of(contact.geometry_b)));
+  }
   std::ranges::sort(pairs);
   const auto repeated = std::ranges::unique(pairs);
   pairs.erase(repeated.begin(), repeated.end());

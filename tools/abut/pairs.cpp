@@ -82,7 +82,8 @@ std::string text_of(const std::vector<Encounter>& encounters, std::uint64_t step
   std::size_t touching = 0;
   for (const Encounter& its : encounters) {
     touching += its.touches ? 1 : 0;
-    rows.push_back({shown(its.a), shown(its.b), its.touches ? "yes" : "no", std::to_string(its.contacts),
+    rows.push_back({shown(its.a), shown(its.b), its.touches ? "yes" : "no",
+                    its.elements > 0 ? std::to_string(its.elements) + " elements" : std::to_string(its.contacts),
                     its.distance ? digits(its.distance->distance) : "none", its.stopped_by});
   }
   return table_of(rows) + std::to_string(encounters.size()) + " pairs of boxes overlap at step " +
@@ -92,10 +93,15 @@ std::string text_of(const std::vector<Encounter>& encounters, std::uint64_t step
 OrderedJson json_of(const std::vector<Encounter>& encounters) {
   OrderedJson json = OrderedJson::array();
   for (const Encounter& its : encounters) {
-    OrderedJson row{{"a", its.a.name},      {"kind_a", kind_name(its.a.shape)},
-                    {"b", its.b.name},      {"kind_b", kind_name(its.b.shape)},
-                    {"touch", its.touches}, {"contacts", its.contacts},
-                    {"distance", nullptr},  {"stopped_by", nullptr}};
+    OrderedJson row{{"a", its.a.name},
+                    {"kind_a", kind_name(its.a.shape)},
+                    {"b", its.b.name},
+                    {"kind_b", kind_name(its.b.shape)},
+                    {"touch", its.touches},
+                    {"contacts", its.contacts},
+                    {"element_contacts", its.elements},
+                    {"distance", nullptr},
+                    {"stopped_by", nullptr}};
     if (its.distance) {
       row["distance"] = its.distance->distance;
     }

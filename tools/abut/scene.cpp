@@ -19,8 +19,10 @@ constexpr std::array<Choice, 5> broadphases{{{"auto", ABUT_BROADPHASE_AUTO},
                                              {"hash_grid", ABUT_BROADPHASE_HASH_GRID}}};
 constexpr std::array<Choice, 2> tolerance_modes{
     {{"dead_band", ABUT_TOLERANCE_DEAD_BAND}, {"margin", ABUT_TOLERANCE_MARGIN}}};
-constexpr std::array<Choice, 3> event_kinds{
-    {{"pairs", ABUT_EVENTS_PAIRS}, {"persist", ABUT_EVENTS_PERSIST}, {"contacts", ABUT_EVENTS_CONTACTS}}};
+constexpr std::array<Choice, 4> event_kinds{{{"pairs", ABUT_EVENTS_PAIRS},
+                                             {"persist", ABUT_EVENTS_PERSIST},
+                                             {"contacts", ABUT_EVENTS_CONTACTS},
+                                             {"elements", ABUT_EVENTS_ELEMENTS}}};
 
 void read_units(const std::optional<Node>& node, Scene& scene) {
   if (!node) {

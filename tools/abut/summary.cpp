@@ -83,6 +83,7 @@ void Summary::add(const World& world, double milliseconds) {
   for (std::size_t i = 0; i < counts.size(); ++i) {
     counts_[i].add(static_cast<double>(stats.*counts[i].value));
   }
+  elements_.add(static_cast<double>(world.element_contacts().size()));
   for (std::size_t i = 0; i < stages.size(); ++i) {
     milliseconds_[i].add(1e-3 * stats.*stages[i].microseconds);
   }
@@ -100,6 +101,7 @@ std::string Summary::table(const World& world) const {
   for (std::size_t i = 0; i < counts.size(); ++i) {
     text += row(counts[i].title, counts_[i], 0);
   }
+  text += row("element contacts", elements_, 0);
   text += header("milliseconds per step");
   for (std::size_t i = 0; i < stages.size(); ++i) {
     text += row(stages[i].title, milliseconds_[i], 3);
@@ -120,6 +122,7 @@ std::string Summary::json(const World& world) const {
   for (std::size_t i = 0; i < counts.size(); ++i) {
     out["counts"][counts[i].field] = json_of(counts_[i]);
   }
+  out["counts"]["element_contacts"] = json_of(elements_);
   for (std::size_t i = 0; i < stages.size(); ++i) {
     out["milliseconds"][stages[i].field] = json_of(milliseconds_[i]);
   }

@@ -39,6 +39,7 @@ class Summary {
  private:
   std::uint64_t steps_ = 0;
   std::array<Measure, 9> counts_;
+  Measure elements_;
   std::array<Measure, 6> milliseconds_;
 };
 

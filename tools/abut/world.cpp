@@ -135,6 +135,12 @@ void World::step(std::uint64_t number) {
   check(abut_universe_step(universe_.get(), scene_.dt), when.c_str());
 }
 
+std::vector<abut_element_contact> World::element_contacts() const {
+  const auto asks = [](const Policy& its) { return its.policy.detail == ABUT_DETAIL_ELEMENTS; };
+  return std::ranges::any_of(scene_.policies, asks) ? element_contacts_of(universe())
+                                                    : std::vector<abut_element_contact>{};
+}
+
 const std::string& World::geometry_name(abut_geometry_id id) const { return scene_.geometries[number_of(id)].name; }
 
 const abut_shape* World::shape_of(std::size_t geometry) const {

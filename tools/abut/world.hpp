@@ -37,6 +37,9 @@ class World {
   [[nodiscard]] abut_apart_reasons why_apart(std::size_t a, std::size_t b) const;
   /// The number in the scene of a geometry of the universe.
   [[nodiscard]] std::size_t number_of(abut_geometry_id id) const { return geometry_of_slot_[id.slot]; }
+  /// Element contacts of the last step. None, and nothing is asked, where no policy has the detail of elements: builds
+  /// without the feature deforming refuse such policies, and the question.
+  [[nodiscard]] std::vector<abut_element_contact> element_contacts() const;
   [[nodiscard]] const std::string& part_name(abut_geometry_id id) const;
   [[nodiscard]] const std::string& geometry_name(abut_geometry_id id) const;
 

@@ -63,7 +63,7 @@ void ContactWriter::add(const World& world, std::uint64_t step) {
 ElementWriter::ElementWriter(const std::string& path, Format format) : table_(path, format, element_columns) {}
 
 void ElementWriter::add(const World& world, std::uint64_t step) {
-  for (const abut_element_contact& contact : element_contacts_of(world.universe())) {
+  for (const abut_element_contact& contact : world.element_contacts()) {
     const abut_stencil& its = contact.stencil;
     table_.whole(step);
     table_.text(world.part_name(contact.geometry_a)).text(world.geometry_name(contact.geometry_a));
@@ -86,7 +86,9 @@ EventWriter::EventWriter(const std::string& path, Format format) : table_(path, 
 void EventWriter::add(const World& world, std::uint64_t step) {
   for (const abut_event& event : events_of(world.universe())) {
     table_.whole(step).text(name_at(events, event.kind));
-    table_.text((event.flags & ABUT_EVENT_CONTACT) != 0 ? "contact" : "pair");
+    table_.text((event.flags & ABUT_EVENT_ELEMENTS) != 0  ? "element"
+                : (event.flags & ABUT_EVENT_CONTACT) != 0 ? "contact"
+                                                          : "pair");
     table_.text(world.part_name(event.geometry_a)).text(world.geometry_name(event.geometry_a));
     table_.text(world.part_name(event.geometry_b)).text(world.geometry_name(event.geometry_b));
     table_.whole(event.contact_id).whole(event.contact_count).flag((event.flags & ABUT_EVENT_SENSOR) != 0);
