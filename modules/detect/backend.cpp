@@ -48,7 +48,7 @@ void BackendStage::run(const Places& places, std::span<const Pair> pairs, const 
   }
   is_asking_ = true;
   try {
-    find_(asked_);
+    find_();
   } catch (...) {
     is_asking_ = false;
     throw;

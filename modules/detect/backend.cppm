@@ -22,8 +22,8 @@ struct BackendPair {
 struct [[gsl::Pointer]] Backend {
   // Of two kinds by their places in the registry.
   std::function<bool(std::size_t, std::size_t)> accepts;
-  // Answers pairs by BackendStage::answer; it may leave any of them.
-  std::function<void(const std::vector<BackendPair>&)> find;
+  // Answers BackendStage::pairs by BackendStage::answer; it may leave any of them.
+  std::function<void()> find;
 };
 
 class [[gsl::Pointer]] BackendStage {
@@ -37,6 +37,7 @@ class [[gsl::Pointer]] BackendStage {
 
   // While `run` asks.
   [[nodiscard]] bool is_asking() const { return is_asking_; }
+  [[nodiscard]] std::span<const BackendPair> pairs() const [[clang::lifetimebound]] { return asked_; }
   // In the world, from a to b. Numbers contacts without an id, and those with equal ones, apart.
   [[nodiscard]] Fault answer(std::size_t pair, std::span<const ContactPoint> contacts);
 
@@ -57,7 +58,7 @@ class [[gsl::Pointer]] BackendStage {
     bool is_given = false;
   };
 
-  std::function<void(const std::vector<BackendPair>&)> find_;
+  std::function<void()> find_;
   std::array<bool, pair_run_count> accepted_{};
   bool is_asking_ = false;
   std::size_t answered_ = 0;

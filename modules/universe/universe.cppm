@@ -41,6 +41,8 @@ class Universe : public Scene {
   // pairs are examined. An empty `find` is none.
   void set_backend(Backend backend);
   [[nodiscard]] bool is_asking_backend() const { return backend_.is_asking(); }
+  // While it is asked: about these.
+  [[nodiscard]] std::span<const BackendPair> backend_pairs() const [[clang::lifetimebound]] { return backend_.pairs(); }
   // Answers a pair that the back end is asked about now.
   [[nodiscard]] Fault answer_pair(std::size_t pair, std::span<const ContactPoint> contacts) {
     return backend_.answer(pair, contacts);

@@ -89,19 +89,25 @@ TEST(BackendAnswers, AreTheContactsOfThePair) {
   EXPECT_TRUE(succeeded(abut_contact_validate(found.data())));
 }
 
+// Whichever kind has the lower slot.
 TEST(BackendAnswers, HaveLocalPoints) {
   abut_universe_options options = default_universe_options();
   options.flags = ABUT_UNIVERSE_LOCAL_POINTS;
-  TwoBalls scene(options);
-  Script script(scene.universe);
-  script.find = [](abut_universe* universe, const abut_backend_pair*, std::size_t) {
-    backend::answer(universe, 0, {contact_at(1, -0.5)});
-  };
-  scene.universe.step();
-  const auto points = copy_of(abut_universe_local_points, scene.universe);
-  ASSERT_EQ(points.size(), 1U);
-  EXPECT_EQ(points[0].a.x, 1);
-  EXPECT_EQ(points[0].b.x, -1);
+  const Shape ball = make_sphere(1), block = make_box(1, 1, 1);
+  for (const bool is_ball_first : {true, false}) {
+    Universe universe(&options);
+    universe.add(is_ball_first ? ball : block, at(0, 0, 0));
+    universe.add(is_ball_first ? block : ball, at(1.5, 0, 0));
+    Script script(universe);
+    script.find = [](abut_universe* its, const abut_backend_pair*, std::size_t) {
+      backend::answer(its, 0, {contact_at(1, -0.5)});
+    };
+    universe.step();
+    const auto points = copy_of(abut_universe_local_points, universe);
+    ASSERT_EQ(points.size(), 1U);
+    EXPECT_EQ(points[0].a.x, 1);
+    EXPECT_EQ(points[0].b.x, -1);
+  }
 }
 
 TEST(BackendAnswers, AreLeftOutByTheMarginAndReduced) {
@@ -237,6 +243,28 @@ TEST(BackendAnswers, OfSomePairsLeaveTheBitsOfTheOthers) {
   EXPECT_EQ(std::memcmp(some.data(), left.data(), some.size() * sizeof(abut_contact)), 0);
 }
 
+// Two sheets side by side, and a ball over their common border: abut would take a contact away that leans over it.
+TEST(BackendAnswers, AreLeftAsTheyAreAtSeams) {
+  Universe universe;
+  const Shape sheet = make_square_mesh(1), ball = make_sphere(0.5);
+  for (const double x : {-1.0, 1.0}) universe.add(sheet, at(x, 0, 0), ABUT_MOTION_STATIC);
+  universe.add(ball, at(0.02, 0, 0.48));
+  Script script(universe);
+  script.find = [](abut_universe* its, const abut_backend_pair* pairs, std::size_t count) {
+    for (std::size_t i = 0; i < count; ++i) {
+      const double lean = pairs[i].geometry_a.slot == 1 ? 0.6 : 0;
+      abut_backend_contact contact =
+          backend::contact_of({0, 0, 0}, {-0.02 * lean, 0, -0.02}, {lean, 0, lean > 0 ? 0.8 : 1});
+      contact.feature_a = {ABUT_FEATURE_EDGE, 0};
+      backend::answer(its, i, {contact});
+    }
+  };
+  const std::vector<abut_contact> found = universe.step();
+  ASSERT_EQ(script.asked.size(), 2U);
+  ASSERT_EQ(found.size(), 2U);
+  EXPECT_EQ(found[0].normal.x, 0.6);
+}
+
 TEST(Backend, IsAskedAboutTheKindsThatItAccepts) {
   Universe universe;
   const Shape ball = make_sphere(1), block = make_box(1, 1, 1);
@@ -276,7 +304,9 @@ TEST(Backend, IsNotAskedAboutWhatOtherStagesAnswer) {
   as_boxes.tag = 2;
   abut_policy policy = default_policy();
   policy.detail = ABUT_DETAIL_ELEMENTS;
+  policy.tolerance = 0.2;
   require(abut_policy_set(universe, 0, 1, &policy));
+  policy = default_policy();
   policy.detail = ABUT_DETAIL_BOX;
   require(abut_policy_set(universe, 0, 2, &policy));
   const auto add = [&](const abut_shape* shape, const abut_geometry_options& its, double z) {
@@ -302,6 +332,7 @@ TEST(Backend, IsNotAskedAboutWhatOtherStagesAnswer) {
   }
   EXPECT_EQ(without_elements, wanted);
   EXPECT_EQ(std::count(script.asked.begin(), script.asked.end(), std::pair(1U, 3U)), 0) << "told by elements";
+  EXPECT_FALSE(copy_of(abut_universe_element_contacts, static_cast<const abut_universe*>(universe)).empty());
 }
 
 TEST(Backend, IsNotAskedWhileNothingChanges) {

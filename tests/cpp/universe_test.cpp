@@ -276,6 +276,49 @@ TEST(Filter, DecidesAboutPairs) {
   EXPECT_EQ(asked.size(), 2U);
 }
 
+TEST(Backend, AnswersPairs) {
+  Room room;
+  std::size_t asked = 0;
+  const auto ball = abut::shape_kind("sphere");
+  const auto find = [&](abut::Span<const abut::BackendPair> pairs) {
+    for (std::size_t i = 0; i < pairs.size(); ++i) {
+      EXPECT_EQ(pairs[i].geometry_a, room.box);
+      abut::BackendContact contact{};
+      contact.point_b.z = -0.125;
+      contact.normal.z = 1;
+      room.universe.answer_pair(i, {contact});
+      ++asked;
+    }
+  };
+  room.universe.set_backend(find, [&](abut::ShapeKind a, abut::ShapeKind b) { return a == ball || b == ball; });
+  room.universe.step(0);
+  EXPECT_EQ(asked, 1U);
+  ASSERT_EQ(room.universe.contacts().size(), 1U);
+  EXPECT_EQ(room.universe.contacts()[0].distance, -0.125);
+  room.universe.set_backend(nullptr);
+  room.universe.step(0);
+  EXPECT_EQ(asked, 1U);
+  EXPECT_NE(room.universe.contacts()[0].distance, -0.125);
+}
+
+// The step has contacts of abut then, and the next one asks again.
+TEST(Backend, MayThrow) {
+  Room room;
+  int calls = 0;
+  room.universe.set_backend([&](abut::Span<const abut::BackendPair>) {
+    if (++calls == 1) throw std::runtime_error("not yet");
+  });
+  try {
+    room.universe.step(0);
+    ADD_FAILURE();
+  } catch (const std::runtime_error& error) {
+    EXPECT_STREQ(error.what(), "not yet");
+  }
+  EXPECT_EQ(room.universe.contacts().size(), 1U);
+  room.universe.step(0);
+  EXPECT_EQ(calls, 2);
+}
+
 TEST(Filter, IsNotReplacedWhileItRuns) {
   Room room;
   abut::Status status = ABUT_OK;

@@ -35,7 +35,8 @@ abut::Backend to_backend(abut_universe& its, abut_backend_accepts accepts, abut_
       return accepts(context, abut::kind_number(a), abut::kind_number(b)) != 0;
     };
   }
-  backend.find = [=, handle = &its](const std::vector<abut::BackendPair>& pairs) {
+  backend.find = [=, handle = &its] {
+    const std::span<const abut::BackendPair> pairs = handle->universe.backend_pairs();
     std::vector<abut_backend_pair>& asked = handle->backend_pairs;
     asked.resize(pairs.size());
     std::transform(pairs.begin(), pairs.end(), asked.begin(),
