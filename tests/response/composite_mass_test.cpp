@@ -149,10 +149,14 @@ TEST(CompositeMass, IsWhatRandomPointsSay) {
                                       {slot(0.2, 0.2, 0.1, 0), {{0.2, 0, 0}, turned(0, 0, 1, 0)}}});
   abut_mass_properties refused{};
   EXPECT_EQ(abut_shape_mass_properties(core.get(), 1, &refused), ABUT_UNSUPPORTED);
-  const std::vector<Placed> children{{block(1, 0.8, 0.6), {{0.2, 0, 0}, turned(1, 2, 3, 0.7)}},
+  // The bore stands out of the block by 0.1 below, and by far above.
+  const abut_quat lean = turned(1, 2, 3, 0.7);
+  const abut_vec3 up{2 * (lean.x * lean.z + lean.w * lean.y), 2 * (lean.y * lean.z - lean.w * lean.x),
+                     1 - 2 * (lean.x * lean.x + lean.y * lean.y)};
+  const std::vector<Placed> children{{block(1, 0.8, 0.6), {{0.2, 0, 0}, lean}},
                                      {ball(0.7), {{-1.6, 0.4, 0.1}, no_turn}},
                                      {cylinder(0.4, 0.8), {{0, 0, -1.7}, turned(0, 1, 1, 0.4)}},
-                                     {bore(0.3, 0.7, 0), {{0.2, 0, 0}, turned(1, 2, 3, 0.7)}},
+                                     {bore(0.3, 1.9, 0), {{0.2 + 1.2 * up.x, 1.2 * up.y, 1.2 * up.z}, lean}},
                                      {cavity(0.4), {{-1.7, 0.3, 0.2}, no_turn}},
                                      {bore(0.2, 0.3, 0), {{0, 0, -1.7}, turned(0, 1, 1.1, 0.5)}}};
   const abut_mass_properties is = mass_of(composite(children));

@@ -199,6 +199,26 @@ TEST(Elastic, NeverGainsEnergy) {
   }
 }
 
+// A turn costs no force: a stiff cube that spins turns by its velocity, and stores no more than what pulls it apart.
+TEST(Elastic, ACubeTurnsFreely) {
+  constexpr double spin = 3, step = 1e-3;
+  const Cube cube(1, 0.5, 5);
+  std::vector<double> velocities(3 * cube.count());
+  for (std::size_t i = 0; i < cube.count(); ++i) {
+    velocities[3 * i] = -spin * (cube.xyz[3 * i + 1] - 0.25);
+    velocities[3 * i + 1] = spin * (cube.xyz[3 * i] - 0.25);
+  }
+  Points its(cube.count());
+  its.add(std::vector<double>(cube.count(), 0.5), cube.xyz, velocities);
+  its.fill(cube.tetrahedra, 1e5, 0.3, 0);
+  const double kinetic = its.scene.energy().kinetic;
+  its.scene.step(step, 300);
+  const std::vector<double> at = its.places();
+  EXPECT_NEAR(std::atan2(at[4] - at[1], at[3] - at[0]), spin * step * 300, 0.01);
+  EXPECT_NEAR(std::hypot(at[4] - at[1], at[3] - at[0]), 0.5, 1e-3);
+  EXPECT_LT(its.scene.energy().potential, 1e-3 * kinetic);
+}
+
 TEST(Elastic, AJellyFallsOnAFloorAndRests) {
   const Cube cube(2, 0.25, 0.5);
   Points its(cube.count(), 0.05, gravity);

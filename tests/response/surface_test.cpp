@@ -361,6 +361,59 @@ TEST(Surface, TwoTrianglesRestOnABox) {
   EXPECT_NEAR(force, 0.4 * gravity, 1e-4);
 }
 
+// A cube of six tetrahedra stands on a box that none of its corners meets. A sheet that is finer than its lower face
+// follows them.
+TEST(Surface, CarriesASoftCube) {
+  Scene scene;
+  tell_elements(scene, 0.1);
+  scene.material([](abut_contact_material& row) { row.friction_primary = row.friction_secondary = 0.6; });
+  const Vector half{0.15, 0.15, 0.25};
+  scene.place(block(half.x, half.y, half.z), {{0, 0, 0}, no_turn}, ABUT_MOTION_STATIC);
+  std::vector<double> corners;
+  for (std::uint32_t i = 0; i < 8; ++i)
+    corners.insert(corners.end(), {0.5 * (i % 2) - 0.25, 0.5 * (i / 2 % 2) - 0.25, 0.3 + 0.5 * (i / 4)});
+  const Shape points =
+      shape_from([&](abut_shape** out) { return abut_particles_create(corners.data(), 8, 0.01, out); });
+  const abut_part_id part = scene.place(points, {{0, 0, 0}, no_turn}, ABUT_MOTION_DYNAMIC);
+  abut_geometry_id carrier{};
+  std::size_t found = 0;
+  require(abut_part_geometries(scene.universe(), part, &carrier, 1, &found));
+  const std::vector<double> masses(8, 0.1);
+  require(abut_response_add_particles(scene.response(), carrier, masses.data(), corners.data(), nullptr, 8));
+  abut_elastic_options elastic;
+  abut_elastic_options_init(&elastic, sizeof elastic);
+  elastic.young = 1e4;
+  elastic.damping = 0.01;
+  const std::array<std::uint32_t, 24> tetrahedra{0, 1, 3, 7, 0, 1, 5, 7, 0, 2, 3, 7,
+                                                 0, 2, 6, 7, 0, 4, 5, 7, 0, 4, 6, 7};
+  require(abut_response_add_tetrahedra(scene.response(), carrier, tetrahedra.data(), 6, &elastic));
+  const Sheet sheet(4, 1, 0);
+  const abut_geometry_id skin = scene.attach(part, mesh(sheet.xyz, sheet.triangles), {{0, 0, 0}, no_turn});
+  std::vector<std::uint32_t> numbers;
+  std::vector<double> weights;
+  for (std::size_t i = 0; i < sheet.count(); ++i) {
+    const double u = sheet.xyz[3 * i] + 0.5, v = sheet.xyz[3 * i + 1] + 0.5;
+    numbers.insert(numbers.end(), {0, 1, 2, 3});
+    weights.insert(weights.end(), {1 - std::max(u, v), std::max(u - v, 0.0), std::max(v - u, 0.0), std::min(u, v)});
+  }
+  require(abut_response_map_vertices(scene.response(), skin, carrier, numbers.data(), weights.data(), sheet.count()));
+  for (int i = 0; i < 300; ++i) {
+    scene.step(5e-3);
+    const double* xyz = nullptr;
+    std::size_t count = 0;
+    require(abut_geometry_vertices(scene.universe(), skin, &xyz, &count));
+    ASSERT_LT(depth_in(half, {xyz, xyz + 3 * count}, sheet.triangles), -0.9 * thickness) << i;
+  }
+  EXPECT_LT(scene.energy().kinetic, 1e-8);
+  double force = 0;
+  for (const abut_response_contact& contact : scene.contacts()) {
+    EXPECT_NE(contact.geometry_a.slot, carrier.slot);
+    EXPECT_NE(contact.geometry_b.slot, carrier.slot);
+    force += (contact.geometry_a.slot == skin.slot ? -1 : 1) * contact.force.z;
+  }
+  EXPECT_NEAR(force, 0.8 * gravity, 1e-5);
+}
+
 // A ball has no elements: its contacts with triangles push their corners.
 TEST(Surface, LiesOverABall) {
   constexpr double radius = 0.5;

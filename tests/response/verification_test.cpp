@@ -152,6 +152,32 @@ TEST(Verification, LetsACardStandBySoMuchFriction) {
   EXPECT_LT(height_of_card_after(0.99 * least, 5), 0.9);
 }
 
+// Each step of a stack whose masses differ by so much converges, and within the steps that a light stack takes: the
+// search sees that rounding is all that is left.
+TEST(Verification, MovesAStackOfGreatRatiosOfMassesAsFastAsOthers) {
+  for (const double ratio : {1e8, 1e10}) {
+    for (const bool is_in_turns : {false, true}) {
+      Scene scene({}, 0.03);
+      scene.material([](abut_contact_material& row) { row.friction_primary = row.friction_secondary = 0.5; });
+      scene.floor();
+      for (int i = 0; i < 10; ++i) {
+        const double mass = is_in_turns ? (i % 2 == 0 ? 1 : ratio) : std::pow(ratio, i / 9.0);
+        scene.body(block(0.5, 0.5, 0.5), {{0, 0, 0.5 + i}, no_turn}, mass);
+      }
+      constexpr int steps = 60;
+      std::uint32_t newton_steps = 0;
+      for (int i = 0; i < steps; ++i) {
+        scene.step(0.01);
+        for (const abut_response_island& island : scene.islands()) {
+          EXPECT_EQ(island.residuals.is_converged, 1U) << ratio << " " << is_in_turns << " " << i;
+          newton_steps += island.residuals.newton_steps;
+        }
+      }
+      EXPECT_LE(newton_steps, 30U * steps) << ratio << " " << is_in_turns;
+    }
+  }
+}
+
 // Two cards that lean on each other, edge on edge. Their faces meet the level force of the joint at the angle of the
 // lean, whichever of them the contact takes: mu >= tan(angle). The ground asks for less.
 double height_of_house_after(double friction, double seconds) {
