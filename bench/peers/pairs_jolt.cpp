@@ -123,13 +123,15 @@ Frame frame_of(const Solid& solid, const JPH::Shape& shape, const Placement& at)
   return {turn, jolt_vector(at.position) + turn * shape.GetCenterOfMass()};
 }
 
-// What its step keeps of a pair: the points of the two faces that touch, at most four.
+// What its step keeps of a pair: the points of the two faces that touch, at most four; of shapes without faces one.
 class Manifold final : public JPH::CollideShapeCollector {
  public:
+  explicit Manifold(bool has_points) : has_points_(has_points) {}
+
   void AddHit(const JPH::CollideShapeResult& hit) override {
     deepest = std::max(deepest, hit.mPenetrationDepth);
     is_hit = true;
-    if (hit.mShape1Face.empty()) {
+    if (!has_points_) {
       return;
     }
     JPH::ContactPoints on_1, on_2;
@@ -144,6 +146,9 @@ class Manifold final : public JPH::CollideShapeCollector {
   float deepest = -FLT_MAX;
   bool is_hit = false;
   std::uint32_t points = 0;
+
+ private:
+  bool has_points_;
 };
 
 class Jolt final : public Contender {
@@ -206,7 +211,7 @@ class Jolt final : public Contender {
 
   // Of depths, contacts and overlaps.
   Answer collided(const Job& job) {
-    Manifold found;
+    Manifold found(query_ == Query::contacts);
     JPH::CollisionDispatch::sCollideShapeVsShape(a_[job.a], b_[job.b], Vec3::sOne(), Vec3::sOne(), turned(job),
                                                  placed(job), JPH::SubShapeIDCreator(), JPH::SubShapeIDCreator(),
                                                  settings_, found);
