@@ -53,6 +53,35 @@ BoxFrame Universe::box_frame() const {
   return {options_.tolerance_mode, meetings_.policies.largest_tolerance(), options_.origin};
 }
 
+namespace {
+
+// A pair that overlaps depends on what lies on its way out as well, as far as its deepest contact is deep.
+void note_ways_out(std::span<const Contact> contacts, const Places& places, std::span<const Patch> patches,
+                   std::span<Pair> pairs) {
+  if (patches.empty()) {
+    return;
+  }
+  for (Pair& pair : pairs) {
+    const Real depth = pair.contact_count > 0 ? -contacts[pair.first_contact].point.distance : 0;
+    if (!(depth > 0)) {
+      continue;
+    }
+    const auto changes_for = [&](std::uint32_t place, std::uint32_t other) {
+      const std::uint32_t patch = places.infos[place].patch;
+      CompactAabb reached = places.boxes[other];
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        reached.low[axis] -= static_cast<float>(depth);
+        reached.high[axis] += static_cast<float>(depth);
+      }
+      return patch != no_patch && places.has_happened(place, happened_to_box) &&
+             patches[patch].compact_box.overlaps(reached);
+    };
+    pair.is_stale = pair.is_stale || changes_for(pair.low, pair.high) || changes_for(pair.high, pair.low);
+  }
+}
+
+}  // namespace
+
 void Universe::refresh_places() { refresh_.run(workers_, box_frame(), space_, parts_, geometries_, changes_, places_); }
 
 void Universe::update_space() {
@@ -217,6 +246,7 @@ void Universe::run_stages(const Scope& scope) {
   }
   const Paths its_paths = paths(scope.dt);
   impacts_.start(sweeps_.numbers(), its_paths, places_, pairs_.all());
+  note_ways_out(contacts_.all(), places_, changes_.patches, pairs_.all());
   selection_.run(workers_, scope, options_.tolerance_mode, places_, changes_.patches, meetings_, pairs_, jobs_);
   stats_.pair_microseconds = watch.lap();
   sides_.start(side_keeper_count_ > 0, places_, jobs_);

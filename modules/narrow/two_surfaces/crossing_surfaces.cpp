@@ -100,7 +100,8 @@ void CrossingSurfaces::set_reaches(const Vec3& direction) {
 }
 
 void CrossingSurfaces::look_for_pairs(const QuerySettings& settings, Real margin) {
-  const Real reach = std::max(margin, Real{0}) + touching_;
+  // Within an endless reach there would also be the children that nodes lack.
+  const Real reach = std::min(std::max(margin, Real{0}) + touching_, std::numeric_limits<Real>::max());
   set_reaches({0, 0, 0});
   const Real none = 0;
   visit_near(a_, b_, {{0, 0, 0}, none}, reach, [&](const PlacedTriangle& of_a, const PlacedTriangle& of_b) {

@@ -49,6 +49,7 @@ class Carver {
   // Takes out the contacts with solids where there is a hole, and adds those with walls and rims. Normals lead from the
   // composite to the other shape.
   void carve(const QuerySettings& settings, Manifold& contacts, Manifold& added) {
+    is_alone_ = true;
     carve_walls(settings, contacts, added);
     add_rims(settings, added);
   }
@@ -160,14 +161,14 @@ class Carver {
       std::erase_if(solids, is_of_hole);
     }
     Real deepest_wall = infinity;
-    Manifold reached;
+    Manifold reached, beyond;
     for (ContactPoint& contact : found) {
       if (!reaches_from_inside(hole, contact)) {
+        beyond.push_back(contact);
         continue;
       }
       if (has_material(hole, contact)) {
-        contact.child_a = hole.child;
-        contact.id = contact_id_of_part(contact.id, hole.child);
+        name_wall(hole, contact);
         deepest_wall = std::min(deepest_wall, contact.distance);
         reached.push_back(contact);
       } else {
@@ -196,9 +197,25 @@ class Carver {
     walls.insert(walls.end(), reached.begin(), reached.end());
     // What sticks out of the hole at both ends touches its rims alone. Moved into the cavity, it is out of the solid.
     const bool is_shorter_by_hole = reached.empty() && *clearance < 0 && deepest_solid < *clearance;
+    // A point, a segment or a triangle that lies in the material and is no part of a sheet leaves by the nearer wall.
+    if (is_shorter_by_hole && is_alone_ && !beyond.empty()) {
+      std::erase_if(beyond, [&](const ContactPoint& contact) { return !has_material(hole, contact); });
+      if (beyond.empty()) {
+        return;
+      }
+      for (ContactPoint& contact : beyond) {
+        name_wall(hole, contact);
+      }
+      walls.insert(walls.end(), beyond.begin(), beyond.end());
+    }
     if (overlap_both || is_shorter_by_hole) {
       std::erase_if(solids, [&](const ContactPoint& contact) { return is_of_hole(contact) && contact.distance < 0; });
     }
+  }
+
+  static void name_wall(const Hole& hole, ContactPoint& contact) {
+    contact.child_a = hole.child;
+    contact.id = contact_id_of_part(contact.id, hole.child);
   }
 
   // A sheet may lie beyond a wall without having come through it.
@@ -366,6 +383,7 @@ class Carver {
   Pose pose_, other_pose_;
   Vec3 centre_{0, 0, 0};  // of the other shape
   Real reach_, size_;
+  bool is_alone_ = false;  // no triangle of a surface
   std::vector<RimSeed> seeds_;
   std::vector<std::uint32_t> left_through_solid_;                    // holes out of whose walls the way is longer
   std::vector<std::pair<std::uint32_t, std::optional<Real>>> gaps_;  // to children, as they are asked for

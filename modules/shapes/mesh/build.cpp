@@ -19,13 +19,8 @@ void Mesh::fill(Data& data, std::span<const Real> reals, std::span<const std::ui
   }
   data.box = box_of(data);
   data.present = 0;
-  data.widest = {0, 0, 0};
   for (std::uint32_t triangle = 0; triangle < indices.size() / 3; ++triangle) {
-    const Vec3 a = data.vertices[indices[3 * std::size_t{triangle}]],
-               b = data.vertices[indices[3 * std::size_t{triangle} + 1]],
-               c = data.vertices[indices[3 * std::size_t{triangle} + 2]];
     data.present += is_removed(indices, triangle) ? 0 : 1;
-    data.widest = maximum(data.widest, maximum(maximum(a, b), c) - minimum(minimum(a, b), c));
   }
 }
 

@@ -57,20 +57,18 @@ Fault Mesh::check(const RemovalEdit& edit) const {
 
 Fault Mesh::check(const RecreationEdit& edit) const { return check_triangles("a mesh", edit.reals, edit.indices); }
 
-// Where no query has needed the tree so far, there is nothing to follow the change. A grid has it soon, and mostly
-// changes here and there: what it costs to follow does not grow with all triangles then.
+// Where no query has needed the tree so far, no tree follows the change. A grid has it soon, and mostly changes here
+// and there: what it costs to follow does not grow with all triangles then. The neighbours tell what a change reaches.
+// That must not depend on the queries so far, as it tells who wakes.
 void Mesh::make_room_for_change(bool follows_vertices) {
   make_room_in_other();
-  if (follows_vertices && data_.own().inside.is_made()) {
+  if (follows_vertices) {
     static_cast<void>(neighbours());
   }
   if (data_->cells) {
     static_cast<void>(tree());
   }
   if (std::optional<Bvh>& tree = data_.own().tree.made()) {
-    if (follows_vertices) {
-      static_cast<void>(neighbours());
-    }
     tree->make_room();
   }
 }
@@ -82,11 +80,17 @@ void Mesh::make_room(const RecreationEdit& edit) {
 }
 
 // After triangles have moved or gone: the tree and the box follow. `touched`: the sides of the box at which something
-// of them was, low ones before high ones; `moved`: around their new places.
-Aabb Mesh::follow(std::uint32_t touched, const Aabb& moved) {
+// of them was, low ones before high ones; `moved`: around their new places. Whether the box stays as it was.
+bool Mesh::follow(std::uint32_t touched, const Aabb& moved) {
   Data& data = data_.own();
+  const Aabb before = data.box;
+  if (!data.tree.is_made()) {
+    data.box = box_of(data);
+    settle_inside();
+    return before.low == data.box.low && before.high == data.box.high;
+  }
   Bvh& tree = *data.tree.made();
-  const Aabb changed = tree.settle(), before = data.box;
+  static_cast<void>(tree.settle());
   for (std::size_t side = 0; side < 6; ++side) {
     const Real sign = side < 3 ? 1 : -1;
     const auto axis = static_cast<int>(side % 3);
@@ -98,15 +102,19 @@ Aabb Mesh::follow(std::uint32_t touched, const Aabb& moved) {
     Vec3& bound = side < 3 ? data.box.low : data.box.high;
     (axis == 0 ? bound.x : axis == 1 ? bound.y : bound.z) = sign * value;
   }
-  // What is inside of a solid may change anywhere. Whether an edge dips depends on the triangles that share a corner
-  // with it, which reach so much further.
-  const Vec3 reach = data.widest;
-  const bool has_same_box = before.low == data.box.low && before.high == data.box.high;
   settle_inside();
-  return has_same_box && !is_solid() ? Aabb{changed.low - reach, changed.high + reach} : Aabb::everything();
+  return before.low == data.box.low && before.high == data.box.high;
 }
 
 namespace {
+
+// What changes with a triangle that has this corner: whether an edge dips depends on all triangles around its ends.
+template <class BoxOf>
+void include_around(Aabb& box, std::uint32_t corner, const MeshNeighbours& neighbours, const BoxOf& box_of) {
+  for (const std::uint32_t triangle : neighbours.around_vertex(corner)) {
+    box.include(box_of(triangle));
+  }
+}
 
 std::uint32_t sides_touched(const Aabb& box, const Vec3& point) {
   return (point.x <= box.low.x ? 1u : 0u) | (point.y <= box.low.y ? 2u : 0u) | (point.z <= box.low.z ? 4u : 0u) |
@@ -123,19 +131,41 @@ Aabb Mesh::apply(const VertexEdit& edit) {
   }
   if (moves_most(edit)) {
     place(edit);
-    return follow_all();
+    follow_all();
+    return Aabb::everything();
   }
   std::uint32_t touched = 0;
+  // Where triangles were is around the old places of vertices and the new places of the triangles.
+  Aabb changed = Aabb::empty();
   for (std::size_t i = 0; i < count; ++i) {
-    touched |= sides_touched(data.box, data.vertices[moved_vertex(edit, i)]);
+    const Vec3& before = data.vertices[moved_vertex(edit, i)];
+    touched |= sides_touched(data.box, before);
+    changed.include(before);
   }
   place(edit);
   follow_inside(edit);
-  if (!data.tree.is_made()) {
-    data.box = box_of(data);
-    settle_inside();
+  const bool has_same_box = follow(touched, data.tree.is_made() ? move_in_tree(edit) : Aabb::empty());
+  // What is inside of a solid may change anywhere.
+  if (!has_same_box || is_solid()) {
     return Aabb::everything();
   }
+  const auto box_of_present = [this](std::uint32_t triangle) { return present_box(triangle); };
+  // Around a vertex in the midst of a range are triangles that move alone.
+  const auto is_in_range = [&](std::uint32_t vertex) { return edit.vertices.empty() && vertex - edit.first < count; };
+  visit_moved(edit, [&](std::uint32_t triangle) {
+    changed.include(box_of_present(triangle));
+    for (const std::uint32_t corner : std::span(data.indices).subspan(3 * std::size_t{triangle}, 3)) {
+      if (!is_in_range(corner)) {
+        include_around(changed, corner, neighbours(), box_of_present);
+      }
+    }
+  });
+  return changed;
+}
+
+// Around the new places of the triangles that move.
+Aabb Mesh::move_in_tree(const VertexEdit& edit) {
+  Data& data = data_.own();
   Bvh& tree = *data.tree.made();
   Aabb moved = Aabb::empty();
   // Vertices that are scattered lie anywhere in the memory. So what a block of triangles needs is asked for at once.
@@ -150,7 +180,6 @@ Aabb Mesh::apply(const VertexEdit& edit) {
       tree.move(triangle, box);
       touch_in_other(triangle);
       moved.include(box);
-      data.widest = maximum(data.widest, box.high - box.low);
     }
     block.clear();
   };
@@ -163,7 +192,7 @@ Aabb Mesh::apply(const VertexEdit& edit) {
   });
   move_block();
   settle_other();
-  return follow(touched, moved);
+  return moved;
 }
 
 Aabb Mesh::apply(const RemovalEdit& edit) {
@@ -172,6 +201,8 @@ Aabb Mesh::apply(const RemovalEdit& edit) {
     return {data.box.low, data.box.low};
   }
   std::uint32_t touched = 0;
+  Aabb changed = Aabb::empty();
+  const auto box_of_present = [this](std::uint32_t triangle) { return present_box(triangle); };
   std::optional<Bvh>& tree = data.tree.made();
   for (const std::uint32_t triangle : edit.triangles) {
     if (has_gone(triangle)) {
@@ -180,6 +211,9 @@ Aabb Mesh::apply(const RemovalEdit& edit) {
     for (const Vec3& corner : corners(triangle)) {
       touched |= sides_touched(data.box, corner);
     }
+    for (const std::uint32_t corner : std::span(data.indices).subspan(3 * std::size_t{triangle}, 3)) {
+      include_around(changed, corner, neighbours(), box_of_present);
+    }
     take_out(triangle);
     if (tree) {
       tree->move(triangle, Aabb::empty());
@@ -187,11 +221,7 @@ Aabb Mesh::apply(const RemovalEdit& edit) {
     touch_in_other(triangle);
   }
   settle_other();
-  if (!tree) {
-    data.box = box_of(data);
-    return Aabb::everything();
-  }
-  return follow(touched, Aabb::empty());
+  return follow(touched, Aabb::empty()) && !is_solid() ? changed : Aabb::everything();
 }
 
 void Mesh::place(const VertexEdit& edit) {
@@ -202,7 +232,7 @@ void Mesh::place(const VertexEdit& edit) {
 }
 
 // After any number of vertices have moved: all that was made of them is fitted, in one pass each.
-Aabb Mesh::follow_all() {
+void Mesh::follow_all() {
   Data& data = data_.own();
   const auto visit_present = [&](const auto& visit) {
     for (std::uint32_t triangle = 0; triangle < triangle_count(); ++triangle) {
@@ -215,30 +245,22 @@ Aabb Mesh::follow_all() {
     visit_present([&](std::uint32_t triangle) { inside->move(triangle, data.vertices, data.indices); });
     inside->change_everywhere();
   }
-  if (!data.tree.is_made()) {
+  if (std::optional<Bvh>& tree = data.tree.made()) {
+    data.box = Aabb::empty();
+    tree->move_all([&](std::uint32_t triangle) {
+      const Aabb its = box_around(corners(triangle));
+      data.box.include(its);
+      return its;
+    });
+    static_cast<void>(tree->settle());
+  } else {
     data.box = box_of(data);
-    settle_inside();
-    return Aabb::everything();
   }
-  Aabb box = Aabb::empty();
-  Vec3 widest{0, 0, 0};
-  Bvh& tree = *data.tree.made();
-  tree.move_all([&](std::uint32_t triangle) {
-    const Aabb its = box_around(corners(triangle));
-    box.include(its);
-    widest = maximum(widest, its.high - its.low);
-    return its;
-  });
   if (data.other.is_made()) {
     visit_present([&](std::uint32_t triangle) { touch_in_other(triangle); });
     settle_other();
   }
-  const Aabb changed = tree.settle(), before = std::exchange(data.box, box);
-  // As far as triangles beside those that moved reach, before and after.
-  const Vec3 reach = maximum(widest, std::exchange(data.widest, widest));
   settle_inside();
-  const bool has_same_box = before.low == box.low && before.high == box.high;
-  return has_same_box && !is_solid() ? Aabb{changed.low - reach, changed.high + reach} : Aabb::everything();
 }
 
 Fault Mesh::check_next(std::span<const Vec3> next) const {
@@ -256,19 +278,15 @@ Fault Mesh::check_next(std::span<const Vec3> next) const {
 
 Aabb Mesh::exchange(std::vector<Vec3>& next) {
   data_.own().vertices.swap(next);
-  return follow_all();
+  follow_all();
+  return Aabb::everything();
 }
 
 void Mesh::take_out(std::uint32_t triangle) {
   Data& data = data_.own();
   data.inside.forget();
   --data.present;
-  if (std::optional<MeshNeighbours>& neighbours = data.neighbours.made()) {
-    neighbours->remove(triangle, data.indices);
-  } else {
-    const std::size_t first = 3 * std::size_t{triangle};
-    data.indices[first + 1] = data.indices[first + 2] = data.indices[first];
-  }
+  data.neighbours.made()->remove(triangle, data.indices);
 }
 
 void Mesh::follow_inside(const VertexEdit& edit) {

@@ -184,7 +184,6 @@ class Mesh {
     std::optional<CellPlan> cells;  // of a UvGrid
     Aabb box = Aabb::empty();
     std::size_t present = 0;  // triangles that have not gone
-    Vec3 widest{0, 0, 0};     // at least the extents of the box of each triangle
     Lazy<Bvh> tree{};
     Lazy<MeshNeighbours> neighbours{};
     Lazy<MeshInside> inside{};
@@ -218,14 +217,15 @@ class Mesh {
   void make_room_in_other();
   void touch_in_other(std::uint32_t triangle);
   void settle_other();
-  [[nodiscard]] Aabb follow(std::uint32_t touched, const Aabb& moved);
+  [[nodiscard]] bool follow(std::uint32_t touched, const Aabb& moved);
   // `follows_vertices`: whether what lies around single vertices is asked for.
   void make_room_for_change(bool follows_vertices);
   // One pass through all triangles costs less than what lies around so many vertices.
   [[nodiscard]] bool moves_most(const VertexEdit& edit) const {
     return edit.xyz.size() / 3 >= data_->vertices.size() / 2 + 1;
   }
-  [[nodiscard]] Aabb follow_all();
+  void follow_all();
+  [[nodiscard]] Aabb move_in_tree(const VertexEdit& edit);
   void place(const VertexEdit& edit);
   void take_out(std::uint32_t triangle);
   // Calls visit(triangle) for all around the vertices of an edit: once each where these are a range.

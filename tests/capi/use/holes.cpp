@@ -43,6 +43,43 @@ TEST(Holes, TheSolidIsThereOutside) {
   }
 }
 
+// Without an inside of their own they overlap the material as a small ball does.
+TEST(Holes, APointInTheMaterialLeavesByTheNearerWay) {
+  const Shape body = hollow(sphere_hole(1)), point = make_of_kind("point", {}),
+              segment = make_of_kind("segment", {0.05});
+  const abut_vec3 a{0, 0, 0}, b{0, 0.05, 0}, c{0, 0, 0.05};
+  abut_shape* made = nullptr;
+  require(abut_triangle_create(&a, &b, &c, &made));
+  const Shape triangle(made);
+  for (const abut_shape* shape : std::vector<const abut_shape*>{point, segment, triangle}) {
+    for (const double x : {0.9, 1.2, 1.8}) {
+      const abut_pose place = at(x, 0.01, 0.02);
+      abut_distance distance{};
+      require(abut_pair_distance(body, &identity, shape, &place, nullptr, &distance));
+      EXPECT_NEAR(distance.distance, std::max(x - 2, 1 - x), 0.01);
+      EXPECT_EQ(distance.upper, distance.distance);
+      EXPECT_EQ(contacts_of(body, identity, shape, place).empty(), x < 1);
+      std::uint32_t overlap = 7;
+      require(abut_pair_overlaps(body, &identity, shape, &place, nullptr, &overlap));
+      EXPECT_EQ(overlap, x < 1 ? 0U : 1U);
+    }
+  }
+}
+
+// The solid lies in the hole. The ball is 0.9 from the walls, and so from all that could be met.
+TEST(Holes, WhereNothingIsLeftTheDistanceIsWhatIsProven) {
+  const Shape solid = make_box(0.3, 0.3, 0.3), hole = sphere_hole(1), ball = make_sphere(0.1);
+  const Shape nothing = make_composite({solid, hole}, {identity, identity});
+  abut_distance distance{};
+  require(abut_pair_distance(nothing, &identity, ball, &identity, nullptr, &distance));
+  EXPECT_TRUE(std::isinf(distance.upper));
+  EXPECT_NEAR(distance.lower, 0.9, 1e-9);
+  EXPECT_EQ(distance.distance, distance.lower);
+  const abut_vec3 &from = distance.point_a, &to = distance.point_b, &along = distance.normal;
+  const double apart = (to.x - from.x) * along.x + (to.y - from.y) * along.y + (to.z - from.z) * along.z;
+  EXPECT_NEAR(apart, distance.distance, 1e-12);
+}
+
 // Existence of contacts of balls: where the signed distance max(to the solid, -to the hole) is below the radius.
 // Near the edges of a hole that maximum is only a bound, so those places are left out.
 TEST(Holes, ContactsAreWhereTheMaterialIs) {

@@ -395,4 +395,15 @@ TEST(HolesAndSurfaces, SheetsArePiercedByTheRim) {
   EXPECT_EQ(on_rim, 2U);
 }
 
+// Eight triangles each, which leave nodes of the trees without some of their children.
+TEST(HolesAndSurfaces, ASolidOfFewTrianglesHasADistanceFromAnother) {
+  const Surface ball = ball_of_triangles(1, 2);
+  const Shape solid = make_mesh(ball, ABUT_SIDES_SOLID), hole = sphere_hole(0.3), other = make_mesh(ball);
+  const Shape body = make_composite({solid, hole}, {identity, identity});
+  const abut_pose place = at(5, 0, 0);
+  abut_distance distance{};
+  require(abut_pair_distance(body, &identity, other, &place, nullptr, &distance));
+  EXPECT_NEAR(distance.distance, 3, 1e-9);
+}
+
 }  // namespace

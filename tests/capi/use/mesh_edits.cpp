@@ -376,4 +376,37 @@ TEST_P(MeshEdits, WhatLayOnARemovedTriangleFalls) {
   EXPECT_EQ(triangles, (std::array<std::uint32_t, 6>{0, 0, 0, 0, 2, 3}));
 }
 
+// Two sheets of small triangles, and two triangles far away that hold the box of the mesh.
+TEST(MeshEdits, OnTheWayOutOfADeepBallAreSeen) {
+  constexpr std::uint32_t side = 25, sheet = side * side;
+  std::vector<double> xyz;
+  std::vector<std::uint32_t> triangles;
+  for (std::uint32_t i = 0; i < 2 * sheet; ++i) {
+    xyz.insert(xyz.end(), {0.05 * (i % side) - 0.6, 0.05 * (i % sheet / side) - 0.6, i < sheet ? 0 : 0.7});
+    if (i % side + 1 < side && i % sheet / side + 1 < side) {
+      triangles.insert(triangles.end(), {i, i + 1, i + side + 1, i, i + side + 1, i + side});
+    }
+  }
+  for (const double height : {-2, 2}) {
+    const auto first = static_cast<std::uint32_t>(xyz.size() / 3);
+    xyz.insert(xyz.end(), {3, 3, height, 3.05, 3, height, 3, 3.05, height});
+    triangles.insert(triangles.end(), {first, first + 1, first + 2});
+  }
+  Universe universe;
+  const Shape ball = make_sphere(0.3);
+  abut_shape* made = nullptr;
+  require(abut_mesh_create(xyz.data(), xyz.size() / 3, triangles.data(), triangles.size() / 3, nullptr, &made));
+  const abut_geometry_id mesh = universe.add(Shape(made), identity, ABUT_MOTION_STATIC);
+  universe.add(ball, at(0, 0, 0.1));
+  ASSERT_FALSE(universe.step().empty());
+  EXPECT_NEAR(universe.contacts().front().distance, -0.2, 1e-9);
+  // The upper sheet comes down to where the ball would have been pushed.
+  std::vector<double> lowered(xyz.begin() + 3 * sheet, xyz.begin() + 6 * sheet);
+  for (std::size_t i = 2; i < lowered.size(); i += 3) lowered[i] = 0.5;
+  require(abut_geometry_set_vertices(universe, mesh, sheet, lowered.data(), sheet));
+  ASSERT_FALSE(universe.step().empty());
+  EXPECT_NEAR(universe.contacts().front().distance, -0.4, 1e-9);
+  EXPECT_NEAR(universe.contacts().front().normal.z, -1, 1e-9);
+}
+
 }  // namespace

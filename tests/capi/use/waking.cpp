@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // What wakes parts that sleep: VX-23 of the specification.
+#include <functional>
+
+#include "archive_support.hpp"
 #include "sleep_room.hpp"
 
 namespace {
@@ -265,6 +268,55 @@ TEST(Sleep, AnEditOfTerrainThatADetectionHasSeenWakes) {
   require(abut_universe_detect_changed(room.universe));
   EXPECT_FALSE(room.is_asleep(near));
   EXPECT_TRUE(room.is_asleep(far));
+}
+
+// A strip of 40 cells, 5 above the floor but for two columns in the middle, which hold the box of the mesh.
+Shape make_strip() {
+  std::vector<double> xyz;
+  std::vector<std::uint32_t> triangles;
+  for (std::uint32_t column = 0; column <= 40; ++column) {
+    const double height = column == 19 ? 4 : column == 21 ? 6 : 5;
+    xyz.insert(xyz.end(), {double(column), -2, height, double(column), 2, height});
+    if (const std::uint32_t first = 2 * column; column < 40) {
+      triangles.insert(triangles.end(), {first, first + 2, first + 3, first, first + 3, first + 1});
+    }
+  }
+  abut_shape* out = nullptr;
+  require(abut_mesh_create(xyz.data(), xyz.size() / 3, triangles.data(), triangles.size() / 3, nullptr, &out));
+  return Shape(out);
+}
+
+// A loaded universe has meshes of which nothing was asked so far.
+TEST(Sleep, AnEditOfAMeshWakesWhatLiesThereAlsoAfterLoading) {
+  const std::vector<double> raised{2, -2, 5.001, 2, 2, 5.001};
+  const std::vector<std::uint32_t> vertices{4, 5}, triangles{4, 5};
+  const std::vector<std::function<abut_status(abut_universe*, abut_geometry_id)>> edits{
+      [&](abut_universe* universe, abut_geometry_id ground) {
+        return abut_geometry_set_vertices(universe, ground, 4, raised.data(), 2);
+      },
+      [&](abut_universe* universe, abut_geometry_id ground) {
+        return abut_geometry_set_vertices_at(universe, ground, vertices.data(), raised.data(), 2);
+      },
+      [&](abut_universe* universe, abut_geometry_id ground) {
+        return abut_geometry_remove_triangles(universe, ground, triangles.data(), 2);
+      }};
+  for (const auto& edit : edits) {
+    Room room;
+    const abut_geometry_id ground = room.universe.add(make_strip(), identity, ABUT_MOTION_STATIC);
+    const abut_part_id near = room.add_box(at(2.5, 0, 5.49)), far = room.add_box(at(35.5, 0, 5.49));
+    room.step(until_asleep);
+    ASSERT_EQ(room.asleep(), 2U);
+    const Owned copy = loaded(saved(room.universe));
+    require(edit(room.universe, ground));
+    require(edit(copy.get(), ground));
+    room.step();
+    require(abut_universe_step(copy.get(), dt));
+    EXPECT_FALSE(room.is_asleep(near));
+    EXPECT_TRUE(room.is_asleep(far));
+    std::uint64_t hash = 0;
+    require(abut_universe_hash(copy.get(), &hash));
+    EXPECT_EQ(hash, room.universe.hash());
+  }
 }
 
 }  // namespace

@@ -302,7 +302,11 @@ Outcome children_distance(const AnyShape& a, const AnyShape& b, const Pose& pose
     best.lower = std::max(best.lower, least_gap(a, b, ab, {}));
     outcome = append_contacts_of_children(a, b, ab, however_far, true, contacts);
     if (outcome == Outcome::ok && contacts.empty()) {
-      best.upper = infinity;  // nothing of the solids is left that could be met
+      // Nothing of the solids is left that could be met. The walls may prove more than the solids are apart.
+      const Real more = std::max(best.lower - best.distance, Real{0});
+      best.distance += more;
+      best.point_b += more * best.normal;
+      best.upper = infinity;
     } else if (outcome == Outcome::ok) {
       const ContactPoint& left = *std::ranges::min_element(contacts, {}, [&](const ContactPoint& contact) {
         const bool is_apart = best.distance < 0 && contact.distance > 0;
