@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Made by scripts/interface from the headers in include/abut, where each name is described. Do not edit.
-// Functions of features and of kinds of shapes that a build may leave out. They are weak: where the build has the feature, its own
-// function takes their place. Options are filled with zeros, since nothing reads them.
+// clang-format off
+// Functions of features and of kinds of shapes that a build may leave out. They are weak: where the build has the
+// feature, its own function takes their place. Options are filled with zeros, since nothing reads them.
 #include "guard.hpp"
 #include "options.hpp"
 
@@ -27,7 +28,6 @@ abut_status refuse_kind(std::string_view name) {
 
 }  // namespace
 
-// clang-format off
 [[gnu::weak]] void abut_distance_field_desc_init(abut_distance_field_desc * desc, uint32_t struct_size) {
   fill_defaults(abut_distance_field_desc{}, struct_size, desc);
 }

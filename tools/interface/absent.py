@@ -13,8 +13,9 @@ FEATURES = ("universe", "motion", "deforming")
 KINDS = {"fields": "distance_field"}
 HEAD = """// SPDX-License-Identifier: Apache-2.0
 // {notice}
-// Functions of features and of kinds of shapes that a build may leave out. They are weak: where the build has the feature, its own
-// function takes their place. Options are filled with zeros, since nothing reads them.
+// clang-format off
+// Functions of features and of kinds of shapes that a build may leave out. They are weak: where the build has the
+// feature, its own function takes their place. Options are filled with zeros, since nothing reads them.
 #include "guard.hpp"
 #include "options.hpp"
 
@@ -40,7 +41,6 @@ abut_status refuse_kind(std::string_view name) {{
 
 }}  // namespace
 
-// clang-format off
 """
 
 

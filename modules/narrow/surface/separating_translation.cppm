@@ -263,7 +263,7 @@ class SurfaceSearch : public NearTriangles<B>, public Obstacles {
       const Lanes slope = dot(four.normals, along);
       const Lanes of_plane = slope > all_lanes(least_plane_slope)    ? four.behind / slope
                              : slope < all_lanes(-least_plane_slope) ? four.before / -slope
-                                                               : far;
+                                                                     : far;
       four.bounds = minimum(ends, of_plane);
       for (std::size_t lane = four.count; lane < 4; ++lane) {
         four.bounds[lane] = -infinity;

@@ -284,7 +284,7 @@ void CrossingSurfaces::set_bounds(const Vec3& direction) {
   const auto until = [](Lanes slope, Lanes behind, Lanes before) {
     return slope > all_lanes(least_plane_slope)    ? behind / slope
            : slope < all_lanes(-least_plane_slope) ? before / -slope
-                                             : all_lanes(infinity);
+                                                   : all_lanes(infinity);
   };
   for (CrossingFour& four : crossing_.span()) {
     const PlacedFour &a = four.a, &b = four.b;
