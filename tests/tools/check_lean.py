@@ -49,6 +49,10 @@ class Lean(program.Case):
             self.assertEqual(found["features"], ["universe", "motion"])
         self.assertEqual(self.named([BALL], policies=[{"tags": [0, 0], "detail": "elements"}])[1], ["universe", "deforming"])
 
+    def test_a_response_is_named_where_the_scene_has_one(self):
+        self.assertEqual(self.named([BALL], dt=0.01, response={})[1], ["universe", "response"])
+        self.assertEqual(self.named([BALL], dt=0.01, response={"impacts": True})[1], ["universe", "motion", "response"])
+
     def test_the_line_is_what_is_printed(self):
         self.assertEqual(self.succeed("lean", SCENES / "stack.json").stdout,
                          'cmake --preset release -B build/lean-scene -D "ABUT_SHAPES=box;plane" -D "ABUT_FEATURES=universe" -D ABUT_WARNINGS=OFF '

@@ -2,11 +2,14 @@
 #include "arguments.hpp"
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <filesystem>
+#include <iterator>
 #include <memory>
 #include <sstream>
 #include <system_error>
+#include <utility>
 
 #include "failures.hpp"
 #include "nearest.hpp"
@@ -81,6 +84,10 @@ void set(Arguments& arguments, const std::string& option, const std::string& val
     arguments.elements = value;
   } else if (option == "--events") {
     arguments.events = value;
+  } else if (option == "--states") {
+    arguments.states = value;
+  } else if (option == "--motion") {
+    arguments.motion = value;
   } else if (option == "--error-bound") {
     arguments.error_bound = number_from<double>(option, value, 0.0, 1e60, "a number that is not negative");
   } else if (option == "--time-budget") {
@@ -201,9 +208,16 @@ void check_different(const char* option, const std::string& file, const char* ot
 
 void check_whole(const CommandRow& row, const Arguments& arguments) {
   check_operands(row, arguments.operands);
-  check_different("--contacts", arguments.contacts, "--events", arguments.events);
-  check_different("--contacts", arguments.contacts, "--elements", arguments.elements);
-  check_different("--elements", arguments.elements, "--events", arguments.events);
+  const std::array<std::pair<const char*, const std::string*>, 5> outputs{{{"--contacts", &arguments.contacts},
+                                                                           {"--elements", &arguments.elements},
+                                                                           {"--events", &arguments.events},
+                                                                           {"--states", &arguments.states},
+                                                                           {"--motion", &arguments.motion}}};
+  for (auto one = outputs.begin(); one != outputs.end(); ++one) {
+    for (auto other = std::next(one); other != outputs.end(); ++other) {
+      check_different(one->first, *one->second, other->first, *other->second);
+    }
+  }
 }
 
 }  // namespace

@@ -23,6 +23,8 @@ struct Arguments {
   std::string contacts;        // empty: none
   std::string elements;        // empty: none
   std::string events;          // empty: none
+  std::string states;          // empty: none
+  std::string motion;          // empty: none
   std::uint32_t width = 1280;  // of a picture
   std::uint32_t height = 720;
   std::optional<abut_vec3> from;

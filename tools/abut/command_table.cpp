@@ -11,9 +11,9 @@ namespace {
 
 constexpr std::string_view stepping = "--steps --dt --threads --json";
 
-constexpr std::array<CommandRow, 15> rows{
+constexpr std::array<CommandRow, 16> rows{
     {{Command::run, "run", "SCENE", "steps a scene, writes contacts and events, prints counts and times",
-      "--steps --dt --threads --contacts --elements --events --quiet --json"},
+      "--steps --dt --threads --contacts --elements --events --states --motion --quiet --json"},
      {Command::explain, "explain", "SCENE", "steps a scene, prints what the last step did and why", stepping},
      {Command::explain_pair, "explain pair", "SCENE A B",
       "prints every way to a distance, with times, and what a budget takes",
@@ -26,6 +26,8 @@ constexpr std::array<CommandRow, 15> rows{
      {Command::picture, "picture", "SCENE PICTURE", "draws a scene and its contacts as a PNG",
       "--steps --dt --threads --size --from --to --up"},
      {Command::lean, "lean", "SCENE", "prints the line that configures the build a scene needs", "--json"},
+     {Command::plot, "plot", "MOTION PICTURE", "draws energy, overlap and residual over time, which run --motion wrote",
+      ""},
      {Command::report, "report", "[REPORT]", "draws errors and times as a page; without a report, measures first",
       "--quick --build --compare --out"},
      {Command::tune, "tune", "[FILE]", "measures this machine for time budgets, in some 10 seconds", ""},
@@ -35,7 +37,7 @@ constexpr std::array<CommandRow, 15> rows{
      {Command::help, "--help", "", "prints this text; after a command, what that command takes", ""},
      {Command::version, "--version", "", "prints the version", ""}}};
 
-constexpr std::array<OptionRow, 19> options{
+constexpr std::array<OptionRow, 21> options{
     {{"--steps", "N", "steps to run; without it those of the scene for run, 1 for all others"},
      {"--dt", "S", "time from step to step; without it that of the scene"},
      {"--threads", "N", "threads of a step, 0 for all; results are the same bits for any number"},
@@ -44,6 +46,10 @@ constexpr std::array<OptionRow, 19> options{
      {"--elements", "FILE",
       "writes vertices, edges and faces that are near, of pairs with the detail elements, the same way"},
      {"--events", "FILE", "writes the events of all steps in the same way"},
+     {"--states", "FILE",
+      "writes poses and velocities of bodies after each step, of scenes with a response, the same way"},
+     {"--motion", "FILE",
+      "writes energy, momentum, the deepest overlap and the worst residual of each step, the same way"},
      {"--size", "WxH", "width and height of a picture; without it 1280x720"},
      {"--from", "X,Y,Z", "where the camera of a picture stands; without it so that all fits in"},
      {"--to", "X,Y,Z", "where it looks to; without it to the middle of the scene"},

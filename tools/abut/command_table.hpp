@@ -20,6 +20,7 @@ enum class Command : std::uint8_t {
   pairs,
   picture,
   lean,
+  plot,
   report,
   tune,
   shapes,

@@ -3,6 +3,7 @@
 
 #include <chrono>
 #include <optional>
+#include <utility>
 
 #include <nlohmann/json.hpp>
 
@@ -51,6 +52,14 @@ void run(const Arguments& arguments) {
   auto contacts = writer_for<ContactWriter>(arguments.contacts, arguments.json);
   auto elements = writer_for<ElementWriter>(arguments.elements, arguments.json);
   auto events = writer_for<EventWriter>(arguments.events, arguments.json);
+  for (const auto& [option, path] :
+       {std::pair{"--states", arguments.states}, std::pair{"--motion", arguments.motion}}) {
+    if (!path.empty() && world.dynamics() == nullptr) {
+      throw BadInput(std::string(option) + " is '" + path + "'; the scene has no response, so it has no bodies");
+    }
+  }
+  auto states = writer_for<StateWriter>(arguments.states, arguments.json);
+  auto motion = writer_for<MotionWriter>(arguments.motion, arguments.json);
   Summary summary;
   std::optional<Progress> progress;
   if (!arguments.quiet) {
@@ -69,6 +78,12 @@ void run(const Arguments& arguments) {
     }
     if (events) {
       events->add(world, step);
+    }
+    if (states) {
+      states->add(world, step);
+    }
+    if (motion) {
+      motion->add(world, step);
     }
     if (progress) {
       progress->show(step);
@@ -90,11 +105,18 @@ void run(const Arguments& arguments) {
   if (events) {
     events->finish();
   }
+  if (states) {
+    states->finish();
+  }
+  if (motion) {
+    motion->finish();
+  }
   if (arguments.quiet) {
     return;
   }
   const std::string table = arguments.json ? summary.json(world) : summary.table(world);
-  if (arguments.contacts == "-" || arguments.elements == "-" || arguments.events == "-") {
+  if (arguments.contacts == "-" || arguments.elements == "-" || arguments.events == "-" || arguments.states == "-" ||
+      arguments.motion == "-") {
     std::fputs(table.c_str(), stderr);
   } else {
     print(table);

@@ -33,7 +33,8 @@ std::vector<std::string> features_of(const Scene& scene) {
     names.emplace_back("deforming");
   }
   constexpr abut_geometry_flags ahead = ABUT_GEOMETRY_FAST | ABUT_GEOMETRY_SPECULATIVE;
-  if (std::ranges::any_of(scene.geometries, [](const Geometry& one) { return (one.options.flags & ahead) != 0; })) {
+  if (std::ranges::any_of(scene.geometries, [](const Geometry& one) { return (one.options.flags & ahead) != 0; }) ||
+      (scene.response && scene.response->has_impacts)) {
     names.emplace_back("motion");
   }
   const auto asks_for_libccd = [](const Policy& one) {
@@ -44,6 +45,9 @@ std::vector<std::string> features_of(const Scene& scene) {
   }
   if (scene.shapes.kinds().contains("hull")) {
     names.emplace_back("hull");
+  }
+  if (scene.response) {
+    names.emplace_back("response");
   }
   if (scene.universe.threads != 1) {
     names.emplace_back("threads");

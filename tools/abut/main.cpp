@@ -37,6 +37,7 @@ Status obey(const Arguments& arguments) {
     case Command::pairs: list_pairs(arguments); break;
     case Command::picture: draw_scene(arguments); break;
     case Command::lean: print_lean_build(arguments); break;
+    case Command::plot: return plot(arguments);
     case Command::report: return report(arguments);
     case Command::tune: tune(arguments); break;
     case Command::completion: print(completion_for(arguments.operands[0])); break;

@@ -72,6 +72,20 @@ void read_velocity(const Node& node, Part& part) {
   part.velocity = velocity;
 }
 
+// Of a body, where the scene has a response.
+void read_mass(Fields& fields, Part& part) {
+  const auto density = fields.find("density"), mass = fields.find("mass");
+  if (density) {
+    part.density = density->positive();
+  }
+  if (mass) {
+    part.mass = mass->positive();
+    if (density) {
+      mass->refuse("a mass or a density, not both");
+    }
+  }
+}
+
 void read_part(const Node& node, Scene& scene, PartRanges& ranges) {
   Fields fields(node);
   const std::size_t first = scene.parts.size();
@@ -85,6 +99,7 @@ void read_part(const Node& node, Scene& scene, PartRanges& ranges) {
   if (const auto velocity = fields.find("velocity")) {
     read_velocity(*velocity, part);
   }
+  read_mass(fields, part);
   const abut_pose pose = read_pose(fields.find("pose"));
   if (const auto script = fields.find("script")) {
     if (part.motion == ABUT_MOTION_STATIC) {

@@ -33,7 +33,7 @@ int status_of(const std::vector<std::string>& words) {
   while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
   }
   if (!WIFEXITED(status)) {
-    throw Failure("the report ended by a signal");
+    throw Failure("drawing ended by a signal");
   }
   return WEXITSTATUS(status);
 }
@@ -57,25 +57,35 @@ std::string drawing_python() {
       return python;
     }
   }
-  throw BadInput(has_any ? "no python3 in PATH has Matplotlib and Jinja2, which draw the report; Debian has them in "
+  throw BadInput(has_any ? "no python3 in PATH has Matplotlib and Jinja2, which draw; Debian has them in "
                            "python3-matplotlib and python3-jinja2"
-                         : "the report needs python3, of which PATH, '" + path + "', has none");
+                         : "drawing needs python3, of which PATH, '" + path + "', has none");
 }
 
-std::filesystem::path drawing_program() {
+std::string drawing_program(const char* name) {
   std::error_code none;
   const std::filesystem::path own = std::filesystem::read_symlink("/proc/self/exe", none);
-  const std::filesystem::path found = (own.parent_path() / ABUT_REPORT_FOLDER / "report.py").lexically_normal();
+  const std::filesystem::path found = (own.parent_path() / ABUT_REPORT_FOLDER / name).lexically_normal();
   if (!std::filesystem::exists(found, none)) {
-    throw BadInput(found.string() + " is missing, which draws the report; it is installed with this program");
+    throw BadInput(found.string() + " is missing, which draws; it is installed with this program");
   }
-  return found;
+  return found.string();
+}
+
+// Programs that draw tell by themselves what they were given wrong.
+Status status_of_drawing(const std::vector<std::string>& words) {
+  switch (status_of(words)) {
+    case 0: return Status::done;
+    case 1: return Status::odd;
+    case 2: return Status::bad_input;
+    default: throw Failure("nothing could be drawn");
+  }
 }
 
 }  // namespace
 
 Status report(const Arguments& arguments) {
-  std::vector<std::string> words{drawing_python(), "-B", drawing_program().string()};
+  std::vector<std::string> words{drawing_python(), "-B", drawing_program("report.py")};
   const auto add = [&words](const char* option, const std::string& value) {
     if (!value.empty()) {
       words.insert(words.end(), {option, value});
@@ -90,12 +100,12 @@ Status report(const Arguments& arguments) {
   add("--build", arguments.build);
   add("--compare", arguments.compare);
   add("--out", arguments.out);
-  switch (status_of(words)) {
-    case 0: return Status::done;
-    case 1: return Status::odd;
-    case 2: return Status::bad_input;  // told by the program itself
-    default: throw Failure("the report could not be drawn");
-  }
+  return status_of_drawing(words);
+}
+
+Status plot(const Arguments& arguments) {
+  return status_of_drawing(
+      {drawing_python(), "-B", drawing_program("plot.py"), arguments.operands[0], arguments.operands[1]});
 }
 
 }  // namespace cli

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The report of errors and times, which Python draws.
+// The report of errors and times, and curves of motion, which Python draws.
 #pragma once
 
 #include "arguments.hpp"
@@ -9,5 +9,8 @@ namespace cli {
 
 /// Draws a report.json, or measures and draws. Status::odd where something got worse.
 [[nodiscard]] Status report(const Arguments& arguments);
+
+/// Draws what a run wrote of the motion of bodies.
+[[nodiscard]] Status plot(const Arguments& arguments);
 
 }  // namespace cli

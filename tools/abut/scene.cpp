@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "document.hpp"
+#include "dynamics_reader.hpp"
 #include "part_reader.hpp"
 #include "rule_reader.hpp"
 
@@ -106,6 +107,8 @@ Scene read(const Json& document, const std::filesystem::path& folder) {
   read_rules(fields.find("rules"), ranges, scene);
   read_policies(fields.find("policies"), scene);
   read_focus(fields.find("focus"), scene);
+  read_material_pairs(fields.find("material_pairs"), scene);
+  read_response(fields.find("response"), scene);
   fields.done();
   scene.shapes.forget_document();
   return scene;

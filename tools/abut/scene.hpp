@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "abut/abut.h"
+#include "abut/response.h"
 #include "names.hpp"
 #include "script.hpp"
 #include "shapes.hpp"
@@ -26,7 +27,9 @@ struct Part {
   std::size_t script = no_script;
   std::optional<abut_sleep> sleep;
   std::optional<abut_velocity> velocity;
-  bool is_measured = false;  // its velocity follows from its poses
+  bool is_measured = false;       // its velocity follows from its poses
+  std::optional<double> density;  // of a body
+  std::optional<double> mass;     // in place of the density
 };
 
 /// Vertices that a mesh has one step after the other.
@@ -74,6 +77,23 @@ struct Focus {
   std::vector<abut_vec3> centres;
 };
 
+/// What two materials do where they touch.
+struct MaterialPair {
+  std::string path;
+  std::uint32_t a;
+  std::uint32_t b;
+  abut_contact_material material;
+};
+
+/// How bodies move; what is not given is as the response library has it.
+struct Response {
+  abut_vec3 gravity{0, 0, -9.81};
+  std::optional<double> tolerance;
+  std::optional<double> slop;
+  abut_solver solver = ABUT_SOLVER_NEWTON;
+  bool has_impacts = false;
+};
+
 struct Scene {
   explicit Scene(std::filesystem::path folder) : shapes(std::move(folder)) {}
 
@@ -95,7 +115,9 @@ struct Scene {
   bool follows_islands = false;
   std::vector<Rule> rules;
   std::vector<Policy> policies;
+  std::vector<MaterialPair> material_pairs;
   std::optional<Focus> focus;
+  std::optional<Response> response;
 };
 
 /// Reads and checks a scene, from the standard input for "-". Files that it names lie beside it, or else in the working

@@ -28,6 +28,10 @@ World::World(Scene scene) : scene_(std::move(scene)) {
   set_rules();
   set_policies();
   set_focus();
+  set_materials();
+  if (scene_.response) {
+    make_bodies();
+  }
 }
 
 void World::create_parts() {
@@ -113,6 +117,24 @@ void World::set_focus() {
   }
 }
 
+void World::set_materials() {
+  for (const MaterialPair& pair : scene_.material_pairs) {
+    check_scene(abut_material_pair_set(universe_.get(), pair.a, pair.b, &pair.material), pair.path);
+  }
+}
+
+// Dynamic parts that nothing else moves.
+void World::make_bodies() {
+  std::vector<std::size_t> bodies;
+  for (std::size_t i = 0; i < scene_.parts.size(); ++i) {
+    const Part& part = scene_.parts[i];
+    if (part.motion == ABUT_MOTION_DYNAMIC && part.script == Part::no_script && !part.is_measured) {
+      bodies.push_back(i);
+    }
+  }
+  dynamics_.emplace(universe_.get(), scene_, parts_, std::move(bodies));
+}
+
 void World::step(std::uint64_t number) {
   const double time = static_cast<double>(number - 1) * scene_.dt;
   std::vector<abut_part_id> moved;
@@ -132,7 +154,7 @@ void World::step(std::uint64_t number) {
     check_scene(abut_geometry_set_vertices(universe_.get(), geometries_[i], 0, vertices.data(), vertices.size() / 3),
                 sequence.path + " at " + when);
   }
-  check(abut_universe_step(universe_.get(), scene_.dt), when.c_str());
+  check_scene(dynamics_ ? dynamics_->step(scene_.dt) : abut_universe_step(universe_.get(), scene_.dt), when);
 }
 
 std::vector<abut_element_contact> World::element_contacts() const {

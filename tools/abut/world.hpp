@@ -4,10 +4,12 @@
 
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "common/owners.hpp"
+#include "dynamics.hpp"
 #include "scene.hpp"
 
 namespace cli {
@@ -17,7 +19,8 @@ class World {
   /// Builds the universe. Throws BadInput when the library refuses something of the scene.
   explicit World(Scene scene);
 
-  /// Places the parts as they are at step `number`, from 1, which is at the time (number - 1) * dt, and detects.
+  /// Places the parts as they are at step `number`, from 1, which is at the time (number - 1) * dt, and detects. Where
+  /// the scene has a response, bodies then move by dt.
   void step(std::uint64_t number);
 
   [[nodiscard]] const abut_universe* universe() const { return universe_.get(); }
@@ -41,6 +44,10 @@ class World {
   /// without the feature deforming refuse such policies, and the question.
   [[nodiscard]] std::vector<abut_element_contact> element_contacts() const;
   [[nodiscard]] const std::string& part_name(abut_geometry_id id) const;
+  /// Of scenes with a response, else null.
+  [[nodiscard]] const Dynamics* dynamics() const { return dynamics_ ? &*dynamics_ : nullptr; }
+  /// Of the part of that number.
+  [[nodiscard]] abut_part_id part_id(std::size_t part) const { return parts_.at(part); }
   [[nodiscard]] const std::string& geometry_name(abut_geometry_id id) const;
 
  private:
@@ -49,9 +56,12 @@ class World {
   void set_rules();
   void set_policies();
   void set_focus();
+  void set_materials();
+  void make_bodies();
 
   Scene scene_;
   UniverseOwner universe_;
+  std::optional<Dynamics> dynamics_;  // ends before the universe does
   std::vector<abut_part_id> parts_;
   std::vector<abut_geometry_id> geometries_;
   std::vector<std::size_t> geometry_of_slot_;

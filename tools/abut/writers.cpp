@@ -30,6 +30,29 @@ constexpr std::array<Column, 11> event_columns{{{"step"},
                                                 {"sensor"},
                                                 {"asleep"}}};
 
+constexpr std::array<Column, 10> state_columns{{{"step"},
+                                                {"time"},
+                                                {"part"},
+                                                {"position", true},
+                                                {"orientation_w"},
+                                                {"orientation_x"},
+                                                {"orientation_y"},
+                                                {"orientation_z"},
+                                                {"velocity", true},
+                                                {"angular_velocity", true}}};
+
+constexpr std::array<Column, 9> motion_columns{{{"step"},
+                                                {"time"},
+                                                {"kinetic"},
+                                                {"potential"},
+                                                {"momentum", true},
+                                                {"angular_momentum", true},
+                                                {"contacts"},
+                                                {"deepest"},
+                                                {"residual"}}};
+
+double time_after(const World& world, std::uint64_t step) { return static_cast<double>(step) * world.scene().dt; }
+
 template <std::size_t count>
 std::string_view name_at(const std::array<std::string_view, count>& names, std::uint32_t index) {
   return index < count ? names[index] : "unknown";
@@ -79,6 +102,34 @@ void ElementWriter::add(const World& world, std::uint64_t step) {
     table_.vector(its.normal).real(its.distance).real(contact.gap).real(its.toi).whole(contact.age);
     table_.end_row();
   }
+}
+
+StateWriter::StateWriter(const std::string& path, Format format) : table_(path, format, state_columns) {}
+
+void StateWriter::add(const World& world, std::uint64_t step) {
+  for (const std::size_t i : world.dynamics()->bodies()) {
+    abut_pose pose{};
+    abut_velocity velocity{};
+    abut_velocity_source source{};
+    check(abut_part_pose(world.universe(), world.part_id(i), &pose), "pose of a body");
+    check(abut_part_velocity(world.universe(), world.part_id(i), &velocity, &source), "velocity of a body");
+    const abut_quat& turn = pose.orientation;
+    table_.whole(step).real(time_after(world, step)).text(world.scene().parts[i].name).vector(pose.position);
+    table_.real(turn.w).real(turn.x).real(turn.y).real(turn.z);
+    table_.vector(velocity.linear).vector(velocity.angular);
+    table_.end_row();
+  }
+}
+
+MotionWriter::MotionWriter(const std::string& path, Format format) : table_(path, format, motion_columns) {}
+
+void MotionWriter::add(const World& world, std::uint64_t step) {
+  const Dynamics& bodies = *world.dynamics();
+  const abut_energy energy = bodies.energy();
+  table_.whole(step).real(time_after(world, step)).real(energy.kinetic).real(energy.potential);
+  table_.vector(energy.linear_momentum).vector(energy.angular_momentum);
+  table_.whole(bodies.contact_count()).real(bodies.deepest()).real(bodies.residual());
+  table_.end_row();
 }
 
 EventWriter::EventWriter(const std::string& path, Format format) : table_(path, format, event_columns) {}
