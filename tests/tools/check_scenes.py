@@ -43,6 +43,16 @@ class Scenes(program.Case):
             self.assertAlmostEqual(contact["distance"], -1e-4, delta=1e-12)
             self.assertEqual(contact["normal"], [0, 0, 1])
 
+    def test_scene_tower(self):
+        # At the end each box stands on four corners, and the ball rolls on the floor.
+        contacts = [c for c in self.contacts(program.SCENES / "tower.json") if c["step"] == 400]
+        self.assertEqual(pairs(contacts), {("floor", "box[0][0][0]"): 4, ("box[0][0][0]", "box[0][0][1]"): 4,
+                                           ("box[0][0][1]", "box[0][0][2]"): 4, ("box[0][0][2]", "box[0][0][3]"): 4,
+                                           ("floor", "ball"): 1})
+        for contact in contacts:
+            slop = 0 if contact["part_b"] == "ball" else 1e-5  # which boxes sank in by; the ball lay there from the start
+            self.assertAlmostEqual(contact["distance"], -slop, delta=2e-6)
+
     def test_scene_grid(self):
         # Each ball touches the ground; 20 rows and 20 columns have 19 neighbours each. Diagonals are 1.4 apart.
         contacts = self.contacts(program.SCENES / "grid.json")
