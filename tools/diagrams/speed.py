@@ -7,7 +7,7 @@ from picture import Picture
 from tables import table_under
 
 LEFT, RIGHT, TOP, STEP = 278, 716, 108, 33
-LEAST, MOST = 0.5, 100
+LEAST, MOST = 0.1, 100
 PEERS = (("Bullet", "b"), ("FCL", "mark"), ("ODE", "good"))
 
 
