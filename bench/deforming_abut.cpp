@@ -186,7 +186,7 @@ class OfElements final : public DeformingWay {
   Search<abut_crossing> crossings_;
 };
 
-// What two shapes are asked, of two meshes that are made anew.
+// The questions to two shapes, with two meshes that are made anew.
 class OfShapes final : public DeformingWay {
  public:
   explicit OfShapes(Asked asked) : asked_(asked) {}

@@ -122,7 +122,7 @@ void sweep(const Sides& sides, double reach, const Use& use) {
       use(i, j);
     }
   };
-  // Of two that overlap along the axis the one that begins later finds the other.
+  // Where two boxes overlap along the axis, the one that begins later finds the other.
   std::size_t from_a = 0, from_b = 0;
   while (from_a < order_a.size() && from_b < order_b.size()) {
     const std::uint32_t i = order_a[from_a], j = order_b[from_b];

@@ -157,7 +157,7 @@ struct Cubic {
   }
 };
 
-// Of the volume of p with three others, each relative to p.
+// The volume of p with three others, each relative to p, as a cubic of time.
 Cubic volume(const std::array<Vec, 4>& start, const std::array<Vec, 4>& end) {
   std::array<Vec, 3> d, e;
   for (std::size_t i = 0; i < 3; ++i) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What is true of a step of meshes that deform: all pairs of elements, one by one, in 113-bit floating point. It shares
-// no code with abut, and none with any other contender.
+// The truth about a step of meshes that deform: all pairs of elements, one by one, in 113-bit floating point. This code
+// shares nothing with abut, and nothing with any other contender.
 #pragma once
 #include "deforming_ways.hpp"
 

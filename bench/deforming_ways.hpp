@@ -26,7 +26,7 @@ inline constexpr std::array all_asked{Asked::candidates, Asked::closest, Asked::
   return names[static_cast<std::size_t>(asked)];
 }
 
-// Of one mesh with itself, features that share a vertex are no pair, and each pair counts once.
+// In a mesh with itself, features that share a vertex are no pair, and each pair counts once.
 enum class PairKind : std::uint8_t {
   vertex_face,  // of a and of b
   edge_edge,    // of one mesh the lower number first
@@ -66,7 +66,7 @@ struct NamedWay {
   std::unique_ptr<DeformingWay> way;
 };
 
-// None where a library has no such question.
+// The list is empty where a library has no such question.
 [[nodiscard]] std::vector<NamedWay> abut_ways(Asked asked, const DeformingCase& first);
 // Candidates alone, in double precision: a loop over all pairs, and a sweep along one axis.
 [[nodiscard]] std::vector<NamedWay> plain_ways(Asked asked);

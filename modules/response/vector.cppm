@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Vectors, matrices and turns, on the plain structs of the C interface.
+// Vectors, matrices, turns and ids, on the plain structs of the C interface.
 module;
 
 #include <abut/abut.h>
@@ -7,12 +7,27 @@ module;
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <vector>
 
 export module abut.response:vector;
 
 export namespace abut::response {
 
 using Matrix = std::array<double, 9>;  // row by row
+
+[[nodiscard]] inline bool is_same(const abut_geometry_id& a, const abut_geometry_id& b) {
+  return a.slot == b.slot && a.generation == b.generation;
+}
+
+// The i-th of vectors that lie as three numbers each.
+[[nodiscard]] inline abut_vec3 vector_at(const std::vector<double>& numbers, std::size_t i) {
+  return {numbers[3 * i], numbers[3 * i + 1], numbers[3 * i + 2]};
+}
+inline void set_vector_at(std::vector<double>& numbers, std::size_t i, const abut_vec3& v) {
+  numbers[3 * i] = v.x;
+  numbers[3 * i + 1] = v.y;
+  numbers[3 * i + 2] = v.z;
+}
 
 [[nodiscard]] inline abut_vec3 add(const abut_vec3& a, const abut_vec3& b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
 [[nodiscard]] inline abut_vec3 subtract(const abut_vec3& a, const abut_vec3& b) {

@@ -210,8 +210,8 @@ struct Thrown {
   static inline std::size_t of_edges = 0, of_vertices = 0;
 };
 
-// Momentum is kept, and what all gain of energy is the work of the impulses by the weights of the stencils, to the last
-// digits: the ways from velocities to contacts and back are exact transposes.
+// Momentum is kept to the last digits. The energy that all gain is the work of the impulses, by the weights of the
+// stencils. So the ways from velocities to contacts and back are exact transposes.
 TEST(Surface, GivesBackByTheWeightsOfItsStencils) {
   std::mt19937 random(seed_of_test());
   std::uniform_real_distribution<double> any(-1, 1);

@@ -8,17 +8,6 @@
 
 namespace cli {
 
-namespace {
-
-void check_scene(abut_status status, const std::string& path) {
-  if (status != ABUT_OK && blames_input(status)) {
-    throw BadInput(path + ": the library says: " + abut_last_error_message());
-  }
-  check(status, path.c_str());
-}
-
-}  // namespace
-
 Dynamics::Dynamics(abut_universe* universe, const Scene& scene, std::span<const abut_part_id> parts,
                    std::vector<std::size_t> bodies)
     : library_(load_response()), response_(nullptr, {library_.destroy}), bodies_(std::move(bodies)) {

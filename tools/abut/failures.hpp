@@ -33,4 +33,12 @@ class BadOutput : public Failure {
   return status != ABUT_OUT_OF_MEMORY && status != ABUT_INTERNAL && status != ABUT_NOT_CONVERGED;
 }
 
+/// Refuses what the scene says at a place of it, with the last message of the library.
+inline void check_scene(abut_status status, const std::string& path) {
+  if (status != ABUT_OK && blames_input(status)) {
+    throw BadInput(path + ": the library says: " + abut_last_error_message());
+  }
+  tools::check(status, path.c_str());
+}
+
 }  // namespace cli

@@ -4,18 +4,6 @@
 #include <algorithm>
 
 namespace cli {
-namespace {
-
-// A refusal of what the scene says, at a place of it.
-void check_scene(abut_status status, const std::string& path) {
-  if (status != ABUT_OK && blames_input(status)) {
-    throw BadInput(path + ": the library says: " + abut_last_error_message());
-  }
-  check(status, path.c_str());
-}
-
-}  // namespace
-
 World::World(Scene scene) : scene_(std::move(scene)) {
   abut_universe* universe = nullptr;
   check_scene(abut_universe_create(&scene_.universe, &universe), "universe");

@@ -197,7 +197,7 @@ class Carver {
     walls.insert(walls.end(), reached.begin(), reached.end());
     // What sticks out of the hole at both ends touches its rims alone. Moved into the cavity, it is out of the solid.
     const bool is_shorter_by_hole = reached.empty() && *clearance < 0 && deepest_solid < *clearance;
-    // A point, a segment or a triangle that lies in the material and is no part of a sheet leaves by the nearer wall.
+    // A flat body (point, segment, triangle) in the material leaves by the nearer wall, unless a sheet holds it.
     if (is_shorter_by_hole && is_alone_ && !beyond.empty()) {
       std::erase_if(beyond, [&](const ContactPoint& contact) { return !has_material(hole, contact); });
       if (beyond.empty()) {

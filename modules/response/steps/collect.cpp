@@ -27,10 +27,6 @@ namespace {
 [[nodiscard]] auto key_of(const KeptContact& contact) {
   return std::tuple(contact.a.slot, contact.a.generation, contact.b.slot, contact.b.generation, contact.id);
 }
-[[nodiscard]] bool is_same(const abut_geometry_id& a, const abut_geometry_id& b) {
-  return a.slot == b.slot && a.generation == b.generation;
-}
-
 // What the kind friction says, for a kind of the caller.
 [[nodiscard]] abut_contact_law law_of(const StepContact& contact, double dt) {
   const ContactRows& rows = contact.rows;

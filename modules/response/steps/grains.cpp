@@ -14,21 +14,7 @@ module abut.response;
 
 namespace abut::response {
 
-namespace {
-
-[[nodiscard]] bool is_same(const abut_geometry_id& a, const abut_geometry_id& b) {
-  return a.slot == b.slot && a.generation == b.generation;
-}
-[[nodiscard]] abut_vec3 vector_at(const std::vector<double>& numbers, std::size_t i) {
-  return {numbers[3 * i], numbers[3 * i + 1], numbers[3 * i + 2]};
-}
-void set_vector_at(std::vector<double>& numbers, std::size_t i, const abut_vec3& v) {
-  numbers[3 * i] = v.x;
-  numbers[3 * i + 1] = v.y;
-  numbers[3 * i + 2] = v.z;
-}
-
-}  // namespace
+namespace {}  // namespace
 
 abut_status Simulation::set_particles(Grains particles) {
   grains_.reserve(grains_.size() + 1);

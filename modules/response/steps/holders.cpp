@@ -20,14 +20,6 @@ namespace abut::response {
 
 namespace {
 
-[[nodiscard]] bool is_same(const abut_geometry_id& a, const abut_geometry_id& b) {
-  return a.slot == b.slot && a.generation == b.generation;
-}
-
-[[nodiscard]] abut_vec3 vector_at(const std::vector<double>& numbers, std::size_t i) {
-  return {numbers[3 * i], numbers[3 * i + 1], numbers[3 * i + 2]};
-}
-
 // A particle that is a body holds a part of the point. One that is held is as good as the ground.
 void hold(std::size_t first, const Grains& particles, std::uint32_t number, double weight,
           std::vector<Holder>& holders) {

@@ -31,10 +31,6 @@ namespace {
   return std::tuple(a.slot, a.generation, b.slot, b.generation);
 }
 [[nodiscard]] auto key_of(const abut_response_object& object) { return key_of(object.geometry_a, object.geometry_b); }
-[[nodiscard]] bool is_same(const abut_geometry_id& a, const abut_geometry_id& b) {
-  return a.slot == b.slot && a.generation == b.generation;
-}
-
 // All that a contact has received.
 [[nodiscard]] abut_vec3 impulse_of(const StepContact& contact) {
   return add(world_impulse(contact.rows, contact.impulse), scale(contact.rows.axes[2], contact.given));
